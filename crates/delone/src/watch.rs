@@ -1,0 +1,39 @@
+//! Progress and cancellation of long work.
+
+/// The phases of long work, from file to picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Phase {
+    /// Reading input; units are bytes.
+    Read,
+    /// Sorting the points along the space-filling curve.
+    Sort,
+    /// Dividing and conquering.
+    Triangulate,
+    /// Renumbering into the caller's order.
+    Export,
+    /// Verifying a triangulation.
+    Check,
+    /// Drawing a picture.
+    Draw,
+    /// Writing files.
+    Write,
+}
+
+/// Someone who watches long work: is told how far it has come, and may stop it.
+///
+/// The methods are called from several threads, often enough to answer within 100 ms.
+pub trait Watch: Sync {
+    /// Told that `done` of `total` units of `phase` are finished; calls may come out of order.
+    fn progress(&self, phase: Phase, done: u64, total: u64) {
+        let _ = (phase, done, total);
+    }
+
+    /// Asked whether to give up; once true, the work ends soon with [`Error::Cancelled`](crate::Error::Cancelled).
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Watches nothing and never cancels.
+impl Watch for () {}

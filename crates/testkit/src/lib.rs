@@ -1,0 +1,1 @@
+//! Oracles and data that only tests use.
