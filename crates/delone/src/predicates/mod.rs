@@ -82,6 +82,17 @@ fn perturbed(a: Point, b: Point, c: Point, d: Point) -> bool {
     decisive == Orientation::Left
 }
 
+pub(crate) const ORIENT2D_BOUND: f64 = 3.3306690738754716e-16;
+pub(crate) const IN_CIRCLE_BOUND: f64 = 1.12e-15;
+
+pub(crate) fn orient2d_exact(a: Point, b: Point, c: Point) -> Orientation {
+    orient2d(a, b, c)
+}
+
+pub(crate) fn in_circle_perturbed_exact(a: Point, b: Point, c: Point, d: Point) -> bool {
+    in_circle_perturbed(a, b, c, d)
+}
+
 /// Compares the distances from `p` to `a` and to `b`.
 pub fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     let square = |q: Point| {

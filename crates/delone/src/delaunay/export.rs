@@ -1,0 +1,111 @@
+//! From slots to the result, in place: triangles to the front, ghosts behind them, empty slots cut
+//! off, corners renumbered to the caller's indices.
+
+use super::parallel::Workers;
+use super::sheet::{DEAD, Sheet};
+use crate::{Duplicate, VertexId, Watch};
+
+/// Moves the triangles to the front and the ghosts behind them; returns the number of each.
+///
+/// `ghost` is the handle of any ghost, `dead` tells whether there are empty slots.
+pub(super) fn compact(sheet: Sheet, slots: usize, ghost: Option<u32>, dead: bool) -> [usize; 2] {
+    let mut homeless: Vec<u32> = hull_ring(sheet, ghost);
+    let ghosts = homeless.len();
+    if dead {
+        homeless.extend(
+            (0..slots as u32)
+                .map(|t| 3 * t)
+                .filter(|&t| sheet.corner(t) == DEAD),
+        );
+    }
+    let triangles = slots - homeless.len();
+    let is_triangle = |t: u32| sheet.corner(t) < sheet.infinite();
+    let boundary = 3 * triangles as u32;
+    homeless.retain(|&t| t < boundary);
+    swap_where(sheet, homeless, boundary, slots, is_triangle);
+    if dead {
+        let end = boundary + 3 * ghosts as u32;
+        let empty = (boundary..end)
+            .step_by(3)
+            .filter(|&t| sheet.corner(t) == DEAD)
+            .collect();
+        swap_where(sheet, empty, end, slots, |t| {
+            sheet.corner(t) == sheet.infinite()
+        });
+    }
+    [triangles, ghosts]
+}
+
+/// The handles of all ghosts, in the order of the hull.
+fn hull_ring(sheet: Sheet, first: Option<u32>) -> Vec<u32> {
+    let after = |&g: &u32| Some(sheet.twin(g + 2) - 1).filter(|&next| Some(next) != first);
+    std::iter::successors(first, after).collect()
+}
+
+/// Swaps the faces `holes` with the faces from handle `start` on that are `wanted`, in order.
+fn swap_where(
+    sheet: Sheet,
+    mut holes: Vec<u32>,
+    start: u32,
+    slots: usize,
+    wanted: impl Fn(u32) -> bool,
+) {
+    holes.sort_unstable();
+    let found = (start..3 * slots as u32).step_by(3).filter(|&t| wanted(t));
+    for (hole, face) in holes.into_iter().zip(found.collect::<Vec<_>>()) {
+        swap(sheet, hole, face);
+    }
+}
+
+/// Swaps two faces, which may be neighbours.
+fn swap(sheet: Sheet, a: u32, b: u32) {
+    let moved = |h: u32| match h - h % 3 {
+        t if t == a => b + h % 3,
+        t if t == b => a + h % 3,
+        _ => h,
+    };
+    let [row_a, row_b] =
+        [a, b].map(|t| [0, 1, 2].map(|k| (sheet.corner(t + k), sheet.twin(t + k))));
+    for (k, ((corner_a, twin_a), (corner_b, twin_b))) in (0..).zip(row_a.into_iter().zip(row_b)) {
+        sheet.set_corner(a + k, corner_b);
+        sheet.set_corner(b + k, corner_a);
+        sheet.bond(a + k, moved(twin_b));
+        sheet.bond(b + k, moved(twin_a));
+    }
+}
+
+/// Replaces positions by the caller's indices, and infinity by the infinite vertex.
+pub(super) fn renumber(
+    corners: &mut [[VertexId; 3]],
+    keys: &[u64],
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<()> {
+    let chunk = workers.chunk_len(corners.len(), 4).min(1 << 18);
+    let done = workers.map(
+        corners.chunks_mut(chunk).collect(),
+        |rows: &mut [[VertexId; 3]]| {
+            if watch.is_cancelled() {
+                return None;
+            }
+            for v in rows.as_flattened_mut() {
+                *v = VertexId::from(keys[v.index()] as u32);
+            }
+            Some(())
+        },
+    );
+    done.into_iter().collect()
+}
+
+/// Lists the points that were merged into others, sorted by index.
+pub(super) fn duplicates(points: &[crate::Point], keys: &[u64]) -> Vec<Duplicate> {
+    let merged = points.iter().zip(keys).filter(|(p, _)| p.x.is_nan());
+    let mut list: Vec<_> = merged
+        .map(|(_, &key)| Duplicate {
+            dropped: VertexId::from(key as u32),
+            kept: VertexId::from((key >> 32) as u32),
+        })
+        .collect();
+    list.sort_unstable_by_key(|d| d.dropped);
+    list
+}

@@ -1,0 +1,137 @@
+//! Morton keys: a bounding box cut into cells, and the order of the cells along the Z-curve.
+//!
+//! Keys are monotone in x and in y: where two keys first differ in a bit of one axis, the points
+//! are strictly ordered in that axis. So the sorted keys *are* a hierarchy of cuts, each by a
+//! vertical or horizontal line that no point touches (G. M. Morton 1966; Tropf & Herzog 1981).
+
+use crate::Point;
+
+/// The axis along which a cut separates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// The left part has smaller x.
+    X,
+    /// The lower part has smaller y.
+    Y,
+}
+
+/// Turns points of one bounding box into keys, and bits of keys into axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// One half where a difference of two coordinates might overflow, else one.
+    half: f64,
+    origin: [f64; 2],
+    /// Cells per unit, in two factors: one alone could leave the range of `f64`.
+    scale: [[f64; 2]; 2],
+    /// Bits that interleave, y in the even and x in the odd ones: 2 · min(bits of x, bits of y).
+    interleaved: u32,
+    /// The axis of the bits above: the longer side of the box.
+    long: Axis,
+}
+
+/// Adding this to a number below 2³² leaves the number, rounded, in the low 32 bits.
+const TO_INTEGER: f64 = (1u64 << 52) as f64;
+
+impl Frame {
+    /// Cuts the box from `min` to `max` into 2^`bits` cells, as square as the bits allow.
+    ///
+    /// `bits` is at most 32.
+    pub fn new(min: [f64; 2], max: [f64; 2], bits: u32) -> Self {
+        let largest = max[0]
+            .abs()
+            .max(max[1].abs())
+            .max(min[0].abs())
+            .max(min[1].abs());
+        let half = if largest > power_of_two(1000) {
+            0.5
+        } else {
+            1.0
+        };
+        let origin = min.map(|c| half * c);
+        let extent = [0, 1].map(|k| half * max[k] - origin[k]);
+        let x_bits = share_of_x(extent, bits as i32);
+        let y_bits = bits as i32 - x_bits;
+        Self {
+            half,
+            origin,
+            scale: [factors(extent[0], x_bits), factors(extent[1], y_bits)],
+            interleaved: 2 * x_bits.min(y_bits) as u32,
+            long: if x_bits >= y_bits { Axis::X } else { Axis::Y },
+        }
+    }
+
+    /// The key of a point in the box.
+    #[inline(always)]
+    pub fn key(&self, p: Point) -> u32 {
+        let x = self.cell(p.x, 0);
+        let y = self.cell(p.y, 1);
+        let half = self.interleaved / 2;
+        let low = (1u64 << half) - 1;
+        let high = match self.long {
+            Axis::X => u64::from(x) >> half,
+            Axis::Y => u64::from(y) >> half,
+        };
+        let mixed = spread(x & low as u32) << 1 | spread(y & low as u32);
+        (high << self.interleaved) as u32 | mixed
+    }
+
+    #[inline(always)]
+    fn cell(&self, c: f64, axis: usize) -> u32 {
+        let t = (self.half * c - self.origin[axis]) * self.scale[axis][0] * self.scale[axis][1];
+        (t + TO_INTEGER).to_bits() as u32
+    }
+
+    /// The axis that a bit of the key cuts.
+    #[inline(always)]
+    pub fn axis(&self, bit: u32) -> Axis {
+        if bit >= self.interleaved {
+            self.long
+        } else if bit % 2 == 1 {
+            Axis::X
+        } else {
+            Axis::Y
+        }
+    }
+}
+
+/// Spreads the low 16 bits to the even positions.
+#[inline(always)]
+fn spread(v: u32) -> u32 {
+    let v = (v | v << 8) & 0x00ff_00ff;
+    let v = (v | v << 4) & 0x0f0f_0f0f;
+    let v = (v | v << 2) & 0x3333_3333;
+    (v | v << 1) & 0x5555_5555
+}
+
+/// The binary exponent of a positive number: −1074 for the least subnormal.
+pub(super) fn exponent(value: f64) -> i32 {
+    let bits = value.to_bits() & !(1 << 63);
+    match (bits >> 52) as i32 {
+        0 => -1011 - bits.leading_zeros() as i32,
+        biased => biased - 1023,
+    }
+}
+
+/// 2^e for −1022 ≤ e ≤ 1023.
+pub(super) fn power_of_two(e: i32) -> f64 {
+    f64::from_bits(((e + 1023) as u64) << 52)
+}
+
+/// How many of the bits x gets: more as the box is wider, so that the cells are nearly square.
+fn share_of_x(extent: [f64; 2], bits: i32) -> i32 {
+    match extent {
+        [_, 0.0] => bits,
+        [0.0, _] => 0,
+        [x, y] => ((bits + exponent(x) - exponent(y) + 1) / 2).clamp(0, bits),
+    }
+}
+
+/// Two factors whose product maps `0..=extent` to `0..=2^bits − 1`.
+fn factors(extent: f64, bits: i32) -> [f64; 2] {
+    if extent == 0.0 || bits == 0 {
+        return [0.0, 0.0];
+    }
+    let first = power_of_two((-exponent(extent)).clamp(-1022, 1023));
+    let cells = power_of_two(bits) - 1.0;
+    [first, cells / (extent * first)]
+}

@@ -1,0 +1,64 @@
+//! Points that share a sort key: sorted among themselves, equal ones merged.
+//!
+//! `keys[i]` holds a key in its high half and the point's index in its low half. A point merged
+//! into another gets NaN coordinates and the other's index in place of its key.
+
+use super::frame::Frame;
+use super::input::Extent;
+use crate::Point;
+
+const INDEX: u64 = 0xffff_ffff;
+
+/// Sorts a handful of points by x, then y, then index.
+pub(super) fn sort_few(points: &mut [Point], keys: &mut [u64]) {
+    let rank = |p: Point, key: u64| ([p.x, p.y], key & INDEX);
+    for end in 1..points.len() {
+        let mut i = end;
+        while i > 0 && rank(points[i], keys[i]) < rank(points[i - 1], keys[i - 1]) {
+            points.swap(i, i - 1);
+            keys.swap(i, i - 1);
+            i -= 1;
+        }
+    }
+}
+
+/// Moves the first of each run of equal points to the front, in order, merges the others into
+/// them and returns the number of distinct points.
+pub(super) fn merge_equal(points: &mut [Point], keys: &mut [u64]) -> usize {
+    let mut distinct = 1;
+    for i in 1..points.len() {
+        if points[i] == points[distinct - 1] {
+            points[i] = Point::new(f64::NAN, f64::NAN);
+            keys[i] = keys[distinct - 1] << 32 | keys[i] & INDEX;
+        } else {
+            points.swap(i, distinct);
+            keys.swap(i, distinct);
+            distinct += 1;
+        }
+    }
+    distinct
+}
+
+/// Gives points fresh keys in their own bounding box and sorts by them, equal keys in the old
+/// order; `None` if all points are equal.
+///
+/// *Cost*: O(m log m) for m points.
+pub(super) fn sort_in_own_box(points: &mut [Point], keys: &mut [u64]) -> Option<Frame> {
+    let Extent { min, max, .. } = Extent::of(points);
+    if min == max {
+        return None;
+    }
+    let frame = Frame::new(min, max, 32);
+    let mut order: Vec<u64> = (0..)
+        .zip(&*points)
+        .map(|(i, &p)| u64::from(frame.key(p)) << 32 | i)
+        .collect();
+    order.sort_unstable();
+    let (old_points, old_keys) = (points.to_vec(), keys.to_vec());
+    for (i, key) in order.into_iter().enumerate() {
+        let from = (key & INDEX) as usize;
+        points[i] = old_points[from];
+        keys[i] = key & !INDEX | old_keys[from] & INDEX;
+    }
+    Some(frame)
+}
