@@ -1,2 +1,182 @@
-//! The program.
-fn main() {}
+//! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
+
+use clap::{Args, Parser, Subcommand};
+use delone_bench::distributions::Distribution;
+use delone_bench::engines::Engine;
+use delone_bench::job::Job;
+use delone_bench::machine::Machine;
+use delone_bench::plan::Plan;
+use delone_bench::process::Launcher;
+use delone_bench::report::Report;
+use delone_bench::stats::{median, parse_size};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+/// Measures Delone and its peers on the same points and prints tables in Markdown
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    action: Option<Action>,
+    #[command(flatten)]
+    options: Options,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Triangulates with Delone again and again in this process, for a profiler
+    Profile(Profile),
+    /// Does one job in this process and prints what it found as JSON; the table maker calls this
+    #[command(hide = true)]
+    Job(Job),
+}
+
+#[derive(Args)]
+struct Options {
+    /// Numbers of points
+    #[arg(long, value_delimiter = ',', value_parser = parse_size, default_value = "10k,100k,1M")]
+    sizes: Vec<usize>,
+    /// Kinds of points [default: all]
+    #[arg(long, value_delimiter = ',')]
+    distributions: Vec<Distribution>,
+    /// Peers [default: all]
+    #[arg(long, value_delimiter = ',')]
+    peers: Option<Vec<Engine>>,
+    /// Numbers of threads for Delone
+    #[arg(long, value_delimiter = ',', default_value = "1,2")]
+    threads: Vec<usize>,
+    /// Processes that count for each cell [default: 9, with --quick 3]
+    #[arg(long)]
+    runs: Option<usize>,
+    /// Processes discarded before them [default: 2, with --quick 1]
+    #[arg(long)]
+    warmups: Option<usize>,
+    /// Triangulations in one process; 0 leaves that table out [default: 9, with --quick 3]
+    #[arg(long)]
+    repeats: Option<usize>,
+    /// Measures less often
+    #[arg(long)]
+    quick: bool,
+    /// Seed of the points
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Seconds that one triangulation may take
+    #[arg(long, default_value_t = 60)]
+    timeout: u64,
+    /// Also writes every single run to this file
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Args)]
+struct Profile {
+    /// Kind of points
+    distribution: Distribution,
+    /// Number of points
+    #[arg(value_parser = parse_size)]
+    points: usize,
+    /// How often, each time on new points
+    repeats: usize,
+    /// Number of threads
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
+    /// Seed of the first points
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+fn main() -> ExitCode {
+    let CommandLine { action, options } = CommandLine::parse();
+    let result = match action {
+        None => print_tables(options),
+        Some(Action::Profile(profile)) => print_profile(&profile),
+        Some(Action::Job(job)) => print_answer(job),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn print_tables(options: Options) -> Result<(), Box<dyn Error>> {
+    let machine = Machine::inspect();
+    let launcher = Launcher::this_program()?;
+    let json = options.json.clone();
+    let plan = plan(options);
+    let cells = plan.run(&launcher, &mut |group| eprintln!("{group}"));
+    let report = Report {
+        plan,
+        machine,
+        command: command(),
+        cells,
+    };
+    if let Some(path) = json {
+        std::fs::write(path, serde_json::to_string_pretty(&report.to_json())?)?;
+    }
+    print!("{}", report.to_markdown());
+    Ok(())
+}
+
+fn plan(options: Options) -> Plan {
+    let ours = options
+        .threads
+        .iter()
+        .map(|&threads| Engine::Delone { threads });
+    let peers = options.peers.unwrap_or_else(|| Engine::PEERS.to_vec());
+    let unless_quick = |normal, quick| if options.quick { quick } else { normal };
+    let mut sizes = options.sizes;
+    sizes.sort_unstable();
+    let mut distributions = options.distributions;
+    if distributions.is_empty() {
+        distributions.extend(Distribution::ALL);
+    }
+    Plan {
+        engines: ours.chain(peers).collect(),
+        distributions,
+        sizes,
+        seed: options.seed,
+        warmups: options.warmups.unwrap_or(unless_quick(2, 1)),
+        runs: options.runs.unwrap_or(unless_quick(9, 3)),
+        repeats: options.repeats.unwrap_or(unless_quick(9, 3)),
+        timeout: Duration::from_secs(options.timeout),
+    }
+}
+
+fn command() -> String {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let command = format!("cargo run --release -p delone-bench -- {}", args.join(" "));
+    command.trim_end_matches([' ', '-']).to_owned()
+}
+
+fn print_profile(profile: &Profile) -> Result<(), Box<dyn Error>> {
+    let engine = Engine::Delone {
+        threads: profile.threads,
+    };
+    let mut times = Vec::new();
+    for repeat in 0..profile.repeats as u64 {
+        let seed = profile.seed.wrapping_add(repeat);
+        let points = profile.distribution.points(profile.points, seed);
+        let run = engine.run(points, false)?;
+        let nanoseconds = run.seconds * 1e9 / profile.points as f64;
+        println!(
+            "run {repeat}: {nanoseconds:.1} ns/point, {} triangles",
+            run.triangles
+        );
+        times.push(nanoseconds);
+    }
+    let fastest = times.iter().copied().min_by(f64::total_cmp);
+    if let (Some(fastest), Some(median)) = (fastest, median(times)) {
+        println!("min {fastest:.1}, median {median:.1} ns/point");
+    }
+    Ok(())
+}
+
+fn print_answer(job: Job) -> Result<(), Box<dyn Error>> {
+    println!("{}", serde_json::to_string(&job.run()?)?);
+    Ok(())
+}

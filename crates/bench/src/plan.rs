@@ -1,0 +1,360 @@
+//! Which cells are checked and timed, in which order.
+//!
+//! For every distribution and size: each engine's result is checked in a process of its own, then
+//! the engines that did not fail are timed in turns (warm-up rounds, then rounds that count), then
+//! each runs its repeats in one process. An engine that took too long at one size is not tried at
+//! a larger one of the same distribution.
+
+use crate::distributions::Distribution;
+use crate::engines::Engine;
+use crate::job::{Answer, Job};
+use crate::measure::Run;
+use crate::process::Outcome;
+use std::time::Duration;
+
+/// What to measure, and how carefully.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Who takes part.
+    pub engines: Vec<Engine>,
+    /// On which points.
+    pub distributions: Vec<Distribution>,
+    /// How many of them, ascending.
+    pub sizes: Vec<usize>,
+    /// Seed of the points of all fresh processes, and of the first repeat.
+    pub seed: u64,
+    /// Rounds of fresh processes that are discarded.
+    pub warmups: usize,
+    /// Rounds of fresh processes that count.
+    pub runs: usize,
+    /// Triangulations in one process; 0 leaves that mode out.
+    pub repeats: usize,
+    /// Longest time for one triangulation, with the making of its points.
+    pub timeout: Duration,
+}
+
+/// Is the result right, as far as was checked?
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The number of triangles is right, and what the engine checks itself holds.
+    Right,
+    /// The number of triangles is wrong. The times stand, with a mark.
+    Wrong {
+        /// Triangles in the result.
+        triangles: usize,
+        /// Triangles that there must be.
+        expected: usize,
+    },
+    /// The engine did not get through.
+    Failed {
+        /// The kind of failure, in a word or two.
+        how: String,
+        /// What the process said.
+        message: String,
+    },
+    /// The engine took longer than allowed.
+    TimedOut(Duration),
+}
+
+/// All about one engine on one point set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// How the points are spread.
+    pub distribution: Distribution,
+    /// How many points.
+    pub points: usize,
+    /// Who triangulates.
+    pub engine: Engine,
+    /// What the check found.
+    pub verdict: Verdict,
+    /// The runs in fresh processes that count.
+    pub fresh: Vec<Run>,
+    /// The runs in one process.
+    pub repeated: Vec<Run>,
+}
+
+impl Cell {
+    /// Tells whether the engine produced something that can be timed.
+    pub fn is_timed(&self) -> bool {
+        matches!(self.verdict, Verdict::Right | Verdict::Wrong { .. })
+    }
+}
+
+/// Does a job, wherever and however.
+pub trait Worker {
+    /// Runs `job`, for no longer than `timeout`.
+    fn run(&self, job: Job, timeout: Duration) -> Outcome;
+}
+
+impl Worker for crate::process::Launcher {
+    fn run(&self, job: Job, timeout: Duration) -> Outcome {
+        Self::run(self, job, timeout)
+    }
+}
+
+impl Plan {
+    /// Carries the plan out; `tell` hears which group of cells is next.
+    pub fn run(&self, worker: &impl Worker, tell: &mut dyn FnMut(&str)) -> Vec<Cell> {
+        let mut cells: Vec<Cell> = Vec::new();
+        for &distribution in &self.distributions {
+            for &points in &self.sizes {
+                tell(&format!("{distribution}, {points} points"));
+                let mut group = self.check_group(worker, distribution, points, &cells);
+                self.time_fresh(worker, &mut group);
+                self.time_repeated(worker, &mut group);
+                cells.append(&mut group);
+            }
+        }
+        cells
+    }
+
+    fn check_group(
+        &self,
+        worker: &impl Worker,
+        distribution: Distribution,
+        points: usize,
+        before: &[Cell],
+    ) -> Vec<Cell> {
+        let mut our_hash = None;
+        let cell = |engine: Engine| {
+            let mut cell = Cell {
+                distribution,
+                points,
+                engine,
+                verdict: Verdict::Right,
+                fresh: Vec::new(),
+                repeated: Vec::new(),
+            };
+            cell.verdict = timed_out_before(&cell, before)
+                .unwrap_or_else(|| self.check(worker, &cell, &mut our_hash));
+            cell
+        };
+        self.engines.iter().copied().map(cell).collect()
+    }
+
+    fn check(&self, worker: &impl Worker, cell: &Cell, our_hash: &mut Option<String>) -> Verdict {
+        let job = Job {
+            verify: true,
+            ..self.job(cell)
+        };
+        match worker.run(job, self.timeout) {
+            Outcome::Done(answer) => judge(&answer, our_hash),
+            Outcome::Failed { how, message } => Verdict::Failed { how, message },
+            Outcome::TimedOut(limit) => Verdict::TimedOut(limit),
+        }
+    }
+
+    /// Lets the engines take turns, so that a slow minute of the machine hits all of them.
+    fn time_fresh(&self, worker: &impl Worker, group: &mut [Cell]) {
+        for round in 0..self.warmups + self.runs {
+            for cell in group.iter_mut().filter(|cell| cell.is_timed()) {
+                let outcome = worker.run(self.job(cell), self.timeout);
+                let runs = runs_or_verdict(outcome, &mut cell.verdict);
+                cell.fresh
+                    .extend(runs.into_iter().filter(|_| round >= self.warmups));
+            }
+        }
+    }
+
+    fn time_repeated(&self, worker: &impl Worker, group: &mut [Cell]) {
+        if self.repeats == 0 {
+            return;
+        }
+        for cell in group.iter_mut().filter(|cell| cell.is_timed()) {
+            let job = Job {
+                repeats: self.repeats,
+                ..self.job(cell)
+            };
+            let outcome = worker.run(job, self.timeout * self.repeats as u32);
+            cell.repeated = runs_or_verdict(outcome, &mut cell.verdict);
+        }
+    }
+
+    fn job(&self, cell: &Cell) -> Job {
+        Job {
+            engine: cell.engine,
+            distribution: cell.distribution,
+            points: cell.points,
+            seed: self.seed,
+            repeats: 1,
+            verify: false,
+        }
+    }
+}
+
+fn timed_out_before(cell: &Cell, before: &[Cell]) -> Option<Verdict> {
+    let hung = before.iter().find(|other| {
+        other.engine == cell.engine
+            && other.distribution == cell.distribution
+            && other.points <= cell.points
+            && matches!(other.verdict, Verdict::TimedOut(_))
+    });
+    hung.map(|other| other.verdict.clone())
+}
+
+/// Judges a verified answer. Whoever names its set of triangles must name the same one.
+fn judge(answer: &Answer, our_hash: &mut Option<String>) -> Verdict {
+    let (Some(run), Some(expected)) = (answer.runs.first(), answer.expected) else {
+        return failed("no answer", "the check reported nothing");
+    };
+    if run.triangles != expected {
+        return Verdict::Wrong {
+            triangles: run.triangles,
+            expected,
+        };
+    }
+    match (&run.hash, &*our_hash) {
+        (Some(hash), Some(first)) if hash != first => failed(
+            "differs",
+            &format!("hash {hash}, but with other threads {first}"),
+        ),
+        (Some(hash), None) => {
+            *our_hash = Some(hash.clone());
+            Verdict::Right
+        }
+        _ => Verdict::Right,
+    }
+}
+
+fn failed(how: &str, message: &str) -> Verdict {
+    Verdict::Failed {
+        how: how.to_owned(),
+        message: message.to_owned(),
+    }
+}
+
+/// Returns the runs of an answer; whatever else came of it becomes the verdict.
+fn runs_or_verdict(outcome: Outcome, verdict: &mut Verdict) -> Vec<Run> {
+    *verdict = match outcome {
+        Outcome::Done(answer) => return answer.runs,
+        Outcome::Failed { how, message } => Verdict::Failed { how, message },
+        Outcome::TimedOut(limit) => Verdict::TimedOut(limit),
+    };
+    Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cell, Plan, Verdict, Worker};
+    use crate::distributions::Distribution;
+    use crate::engines::Engine;
+    use crate::job::{Answer, Job};
+    use crate::measure::Run;
+    use crate::process::Outcome;
+    use std::cell::RefCell;
+    use std::time::Duration;
+
+    /// Answers from thin air and remembers what it was asked.
+    struct Script<F: Fn(Job) -> Outcome> {
+        answer: F,
+        asked: RefCell<Vec<Job>>,
+    }
+
+    impl<F: Fn(Job) -> Outcome> Worker for Script<F> {
+        fn run(&self, job: Job, _: Duration) -> Outcome {
+            self.asked.borrow_mut().push(job);
+            (self.answer)(job)
+        }
+    }
+
+    fn done(job: Job, triangles: usize, hash: &str) -> Outcome {
+        let run = Run {
+            seconds: 1.0,
+            user: 1.0,
+            system: 0.0,
+            triangles,
+            memory: None,
+            hash: (job.verify && job.engine.is_ours()).then(|| hash.to_owned()),
+        };
+        Outcome::Done(Answer {
+            runs: vec![run; job.repeats],
+            expected: job.verify.then_some(7),
+        })
+    }
+
+    fn carry_out(engines: &[Engine], answer: impl Fn(Job) -> Outcome) -> (Vec<Cell>, Vec<Job>) {
+        let plan = Plan {
+            engines: engines.to_vec(),
+            distributions: vec![Distribution::Uniform],
+            sizes: vec![10, 20],
+            seed: 3,
+            warmups: 2,
+            runs: 4,
+            repeats: 5,
+            timeout: Duration::from_secs(1),
+        };
+        let script = Script {
+            answer,
+            asked: RefCell::default(),
+        };
+        let cells = plan.run(&script, &mut |_| {});
+        (cells, script.asked.into_inner())
+    }
+
+    const ONE: Engine = Engine::Delone { threads: 1 };
+    const TWO: Engine = Engine::Delone { threads: 2 };
+
+    #[test]
+    fn warmups_are_discarded_and_engines_take_turns() {
+        let (cells, asked) = carry_out(&[ONE, Engine::Spade], |job| done(job, 7, "h"));
+        assert_eq!(cells.len(), 4);
+        for cell in &cells {
+            assert_eq!(cell.verdict, Verdict::Right);
+            assert_eq!((cell.fresh.len(), cell.repeated.len()), (4, 5));
+        }
+        let first_group = &asked[..2 + 2 * 6 + 2];
+        let engines: Vec<Engine> = first_group.iter().map(|job| job.engine).collect();
+        assert_eq!(engines, [ONE, Engine::Spade].repeat(8));
+        let verified = first_group.iter().map(|job| job.verify).take(3);
+        assert!(verified.eq([true, true, false]));
+    }
+
+    #[test]
+    fn whoever_hangs_is_not_asked_again() {
+        let limit = Duration::from_secs(1);
+        let (cells, asked) = carry_out(&[Engine::Delaunator], |_| Outcome::TimedOut(limit));
+        assert_eq!(asked.len(), 1);
+        assert_eq!(cells.len(), 2);
+        for cell in cells {
+            assert_eq!(cell.verdict, Verdict::TimedOut(limit));
+        }
+    }
+
+    #[test]
+    fn wrong_counts_are_timed_and_crashes_are_not() {
+        let (cells, _) = carry_out(&[Engine::Delaunator, Engine::Cdt], |job| {
+            if job.engine == Engine::Delaunator {
+                return done(job, 6, "");
+            }
+            Outcome::Failed {
+                how: "panic".into(),
+                message: "index".into(),
+            }
+        });
+        let wrong = Verdict::Wrong {
+            triangles: 6,
+            expected: 7,
+        };
+        assert_eq!((&cells[0].verdict, cells[0].fresh.len()), (&wrong, 4));
+        assert!(matches!(&cells[1].verdict, Verdict::Failed { how, .. } if how == "panic"));
+        assert!(cells[1].fresh.is_empty() && cells[1].repeated.is_empty());
+    }
+
+    #[test]
+    fn a_crash_under_the_clock_revokes_the_verdict() {
+        let (cells, _) = carry_out(&[Engine::Spade], |job| {
+            if job.repeats > 1 {
+                return Outcome::TimedOut(Duration::from_secs(5));
+            }
+            done(job, 7, "")
+        });
+        assert!(matches!(cells[0].verdict, Verdict::TimedOut(_)));
+    }
+
+    #[test]
+    fn our_hash_must_not_depend_on_threads() {
+        let (cells, _) = carry_out(&[ONE, TWO], |job| done(job, 7, &job.engine.to_string()));
+        assert_eq!(cells[0].verdict, Verdict::Right);
+        assert!(matches!(&cells[1].verdict, Verdict::Failed { how, .. } if how == "differs"));
+    }
+}

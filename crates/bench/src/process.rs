@@ -1,0 +1,205 @@
+//! Runs a job in a process of its own and says what became of it: no crash, hang or runaway
+//! allocation of an engine reaches the table maker.
+
+use crate::job::{Answer, Job};
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// How a job ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// It answered.
+    Done(Answer),
+    /// It did not: `how` in a word or two (`panic`, `error`, `signal 6`), and what it said.
+    Failed {
+        /// The kind of failure.
+        how: String,
+        /// The last thing the process said.
+        message: String,
+    },
+    /// It was stopped after the given time.
+    TimedOut(Duration),
+}
+
+/// Runs jobs, each in a new process of one program.
+#[derive(Clone, Debug)]
+pub struct Launcher {
+    program: PathBuf,
+}
+
+impl Launcher {
+    /// Uses the running program, whose subcommand [`SUBCOMMAND`](crate::job::SUBCOMMAND) does jobs.
+    ///
+    /// # Errors
+    /// If the system does not tell where the program is.
+    pub fn this_program() -> io::Result<Self> {
+        Ok(Self::new(std::env::current_exe()?))
+    }
+
+    /// Uses `program`.
+    pub fn new(program: PathBuf) -> Self {
+        Self { program }
+    }
+
+    /// Runs `job`, for no longer than `timeout`.
+    pub fn run(&self, job: Job, timeout: Duration) -> Outcome {
+        self.spawn(job)
+            .and_then(|child| watch(child, timeout))
+            .unwrap_or_else(|error| Outcome::Failed {
+                how: "no process".to_owned(),
+                message: error.to_string(),
+            })
+    }
+
+    fn spawn(&self, job: Job) -> io::Result<Child> {
+        Command::new(&self.program)
+            .args(job.to_args())
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+    }
+}
+
+fn watch(mut child: Child, timeout: Duration) -> io::Result<Outcome> {
+    let said = drain(child.stdout.take());
+    let complained = drain(child.stderr.take());
+    let Some(status) = wait(&mut child, timeout)? else {
+        child.kill()?;
+        child.wait()?;
+        return Ok(Outcome::TimedOut(timeout));
+    };
+    let said = said.join().unwrap_or_default();
+    let complained = complained.join().unwrap_or_default();
+    Ok(judge(status, &said, &complained))
+}
+
+/// Reads everything in the background, so that a talkative child never blocks on a full pipe.
+fn drain(pipe: Option<impl Read + Send + 'static>) -> JoinHandle<String> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(mut pipe) = pipe {
+            // What was read before an error is kept; a cut-off answer fails to parse.
+            let _ = pipe.read_to_end(&mut bytes);
+        }
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}
+
+/// Waits for the end, asking rarely enough not to disturb the measurement.
+fn wait(child: &mut Child, timeout: Duration) -> io::Result<Option<ExitStatus>> {
+    let start = Instant::now();
+    while start.elapsed() < timeout {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+    Ok(None)
+}
+
+fn judge(status: ExitStatus, said: &str, complained: &str) -> Outcome {
+    let failed = |how: String, message: &str| Outcome::Failed {
+        how,
+        message: message.to_owned(),
+    };
+    if status.success() {
+        return serde_json::from_str(said)
+            .map(Outcome::Done)
+            .unwrap_or_else(|error| failed("no answer".to_owned(), &error.to_string()));
+    }
+    match status.code() {
+        Some(101) => failed("panic".to_owned(), panic_message(complained)),
+        Some(_) => failed("error".to_owned(), last_line(complained)),
+        None => failed(signal_name(status), last_line(complained)),
+    }
+}
+
+#[cfg(unix)]
+fn signal_name(status: ExitStatus) -> String {
+    use std::os::unix::process::ExitStatusExt;
+    format!("signal {}", status.signal().unwrap_or_default())
+}
+
+#[cfg(not(unix))]
+fn signal_name(_: ExitStatus) -> String {
+    "killed".to_owned()
+}
+
+/// Returns the line that follows `thread … panicked at …:`.
+fn panic_message(complained: &str) -> &str {
+    let mut lines = complained.lines();
+    let panicked = lines.any(|line| line.contains("panicked at"));
+    let message = lines.next().filter(|_| panicked);
+    message.unwrap_or_else(|| last_line(complained))
+}
+
+fn last_line(complained: &str) -> &str {
+    complained.lines().next_back().unwrap_or_default()
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::{Outcome, drain, judge, wait, watch};
+    use std::process::{Child, Command, Stdio};
+    use std::time::{Duration, Instant};
+
+    fn shell(script: &str) -> Child {
+        Command::new("sh")
+            .args(["-c", script])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("a shell")
+    }
+
+    fn outcome(script: &str) -> Outcome {
+        watch(shell(script), Duration::from_secs(20)).expect("a child")
+    }
+
+    fn failure(outcome: Outcome) -> (String, String) {
+        match outcome {
+            Outcome::Failed { how, message } => (how, message),
+            other => panic!("{other:?} is no failure"),
+        }
+    }
+
+    #[test]
+    fn answers_come_through() {
+        let answer = outcome(r#"echo '{"runs": [], "expected": 5}'"#);
+        assert!(matches!(answer, Outcome::Done(a) if a.expected == Some(5)));
+    }
+
+    #[test]
+    fn failures_are_told_apart() {
+        let panic =
+            r"printf 'note\nthread main panicked at x.rs:1:2:\nnot yet\nhint\n' >&2; exit 101";
+        assert_eq!(failure(outcome(panic)), ("panic".into(), "not yet".into()));
+        let error = "echo 'no seed' >&2; exit 1";
+        assert_eq!(failure(outcome(error)), ("error".into(), "no seed".into()));
+        assert_eq!(failure(outcome("kill -9 $$")).0, "signal 9");
+        assert_eq!(failure(outcome("echo '{'")).0, "no answer");
+    }
+
+    #[test]
+    fn hanging_children_are_stopped() {
+        let start = Instant::now();
+        let timeout = Duration::from_millis(50);
+        let hung = watch(shell("exec sleep 30"), timeout).expect("a child");
+        assert_eq!(hung, Outcome::TimedOut(timeout));
+        assert!(start.elapsed() < Duration::from_secs(20));
+    }
+
+    #[test]
+    fn much_output_does_not_block_the_child() {
+        let mut child = shell("yes | head -c 1000000");
+        let said = drain(child.stdout.take());
+        let status = wait(&mut child, Duration::from_secs(20)).unwrap().unwrap();
+        let said = said.join().unwrap();
+        assert_eq!(said.len(), 1_000_000);
+        assert_eq!(failure(judge(status, &said, "")).0, "no answer");
+    }
+}

@@ -1,0 +1,424 @@
+//! The tables in Markdown, and everything in JSON.
+//!
+//! *Ratio* is the time of ours on one thread over that of the fastest exact peer whose result was
+//! right, on the same points in the same run. A number in brackets after a time is how many
+//! triangles that result has too many or too few.
+
+use crate::engines::Engine;
+use crate::machine::{Machine, version_of};
+use crate::measure::{Memory, Run};
+use crate::plan::{Cell, Plan, Verdict};
+use crate::stats::{median, size_name};
+use crate::table::Table;
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// A finished measurement: what was done, where, and what came out.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// What was asked for.
+    pub plan: Plan,
+    /// Under which conditions.
+    pub machine: Machine,
+    /// How the program was called.
+    pub command: String,
+    /// What came out, grouped by distribution and size, engines in the plan's order.
+    pub cells: Vec<Cell>,
+}
+
+/// Which of a cell's runs a table is about.
+#[derive(Clone, Copy)]
+enum Mode {
+    Fresh,
+    Repeated,
+}
+
+impl Mode {
+    fn runs(self, cell: &Cell) -> &[Run] {
+        match self {
+            Self::Fresh => &cell.fresh,
+            Self::Repeated => &cell.repeated,
+        }
+    }
+
+    /// Returns the median time a point, nanoseconds.
+    fn nanoseconds(self, cell: &Cell) -> Option<f64> {
+        let seconds = median(self.runs(cell).iter().map(|run| run.seconds))?;
+        Some(seconds * 1e9 / cell.points as f64)
+    }
+}
+
+impl Report {
+    /// Writes conditions and tables, ready for `BENCHMARKS.md`.
+    pub fn to_markdown(&self) -> String {
+        let mut text = String::new();
+        self.write_markdown(&mut text)
+            .expect("writing into a string cannot fail");
+        text
+    }
+
+    fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
+        writeln!(out, "`{}`\n", self.command)?;
+        for (label, value) in self.machine.entries() {
+            writeln!(out, "- {label}: {value}")?;
+        }
+        writeln!(out, "\n{}", self.engine_table())?;
+        let Plan { warmups, runs, .. } = self.plan;
+        let title = format!(
+            "ns a point, each in a fresh process (median of {runs} after {warmups} warm-ups)"
+        );
+        self.write_section(out, &title, &self.time_table(Mode::Fresh))?;
+        if self.plan.repeats > 0 {
+            let title = format!(
+                "ns a point, repeated in one process on new points (median of {})",
+                self.plan.repeats
+            );
+            self.write_section(out, &title, &self.time_table(Mode::Repeated))?;
+        }
+        let title = "Processor time, user + system ms, fresh process";
+        self.write_section(out, title, &self.processor_table())?;
+        let title = "Peak memory beyond the input, bytes a point, fresh process";
+        self.write_section(out, title, &self.memory_table())?;
+        self.write_failures(out)
+    }
+
+    fn write_section(&self, out: &mut String, title: &str, table: &Table) -> std::fmt::Result {
+        writeln!(out, "**{title}**\n\n{table}")
+    }
+
+    fn engine_table(&self) -> Table {
+        let mut table = Table::new(["engine", "version", "predicates", "timed"]);
+        for engine in &self.plan.engines {
+            let facts = engine.facts();
+            table.push(vec![
+                engine.to_string(),
+                version_of(facts.package).to_owned(),
+                if facts.exact { "exact" } else { "rounded" }.to_owned(),
+                facts.timed.to_owned(),
+            ]);
+        }
+        table
+    }
+
+    fn time_table(&self, mode: Mode) -> Table {
+        let parallel = self.parallel_engines();
+        let speedups = parallel.iter().map(|e| format!("{e} speed-up"));
+        let extra = ["ratio".to_owned(), "to".to_owned()];
+        self.table(extra.into_iter().chain(speedups), |group| {
+            let cells = group.iter().map(|cell| marked(cell, time_text(cell, mode)));
+            let rival = fastest_exact_peer(group, mode);
+            let ours = time_of(group, ONE_THREAD, mode);
+            let ratio = rival.and_then(|(_, theirs)| Some(format!("{:.2}", ours? / theirs)));
+            let name = rival.map(|(engine, _)| engine.to_string());
+            let speedups = parallel.iter().map(|&engine| {
+                let speedup = ours.zip(time_of(group, engine, mode));
+                dash(speedup.map(|(one, many)| format!("{:.2}", one / many)))
+            });
+            cells
+                .chain([dash(ratio), dash(name)])
+                .chain(speedups)
+                .collect()
+        })
+    }
+
+    fn processor_table(&self) -> Table {
+        self.table([], |group| {
+            group
+                .iter()
+                .map(|cell| marked(cell, processor_text(cell)))
+                .collect()
+        })
+    }
+
+    fn memory_table(&self) -> Table {
+        let extra = ["delone:1 beyond output too", "delone:1 process MB"];
+        self.table(extra.map(str::to_owned), |group| {
+            let beyond_input = |cell: &Cell| per_point(cell, Memory::beyond_input);
+            let cells = group.iter().map(|cell| marked(cell, beyond_input(cell)));
+            let ours = find(group, ONE_THREAD);
+            let working = ours.and_then(|cell| per_point(cell, Memory::beyond_output));
+            let total = ours.and_then(|cell| memory(cell, |memory| memory.peak));
+            let total = total.map(|bytes| format!("{:.0}", bytes / 1e6));
+            cells.chain([dash(working), dash(total)]).collect()
+        })
+    }
+
+    /// Makes a table of a row a group: its points, and what `columns` says of it.
+    fn table(
+        &self,
+        extra: impl IntoIterator<Item = String>,
+        columns: impl Fn(&[Cell]) -> Vec<String>,
+    ) -> Table {
+        let engines = self.plan.engines.iter().map(Engine::to_string);
+        let names = ["points".to_owned(), "n".to_owned()];
+        let mut table = Table::new(names.into_iter().chain(engines).chain(extra));
+        for group in self.groups() {
+            let Cell {
+                distribution,
+                points,
+                ..
+            } = group[0];
+            let mut row = vec![distribution.to_string(), size_name(points)];
+            row.extend(columns(group));
+            table.push(row);
+        }
+        table
+    }
+
+    fn groups(&self) -> impl Iterator<Item = &[Cell]> {
+        self.cells
+            .chunk_by(|a, b| (a.distribution, a.points) == (b.distribution, b.points))
+    }
+
+    fn parallel_engines(&self) -> Vec<Engine> {
+        let engines = self.plan.engines.iter().copied();
+        engines
+            .filter(|e| e.is_ours() && *e != ONE_THREAD)
+            .collect()
+    }
+
+    fn write_failures(&self, out: &mut String) -> std::fmt::Result {
+        for cell in &self.cells {
+            if let Verdict::Failed { how, message } = &cell.verdict {
+                let size = size_name(cell.points);
+                writeln!(
+                    out,
+                    "- {} on {} {size}: {how}: {message}",
+                    cell.engine, cell.distribution
+                )?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns everything that was found, every single run included. Times are in seconds, memory
+    /// in bytes.
+    pub fn to_json(&self) -> Value {
+        json!({
+            "command": self.command,
+            "machine": self.machine,
+            "seed": self.plan.seed,
+            "warmups": self.plan.warmups,
+            "engines": self.plan.engines.iter().map(engine_json).collect::<Vec<_>>(),
+            "cells": self.cells.iter().map(cell_json).collect::<Vec<_>>(),
+        })
+    }
+}
+
+const ONE_THREAD: Engine = Engine::Delone { threads: 1 };
+
+fn find(group: &[Cell], engine: Engine) -> Option<&Cell> {
+    group.iter().find(|cell| cell.engine == engine)
+}
+
+fn time_of(group: &[Cell], engine: Engine, mode: Mode) -> Option<f64> {
+    mode.nanoseconds(find(group, engine)?)
+}
+
+fn fastest_exact_peer(group: &[Cell], mode: Mode) -> Option<(Engine, f64)> {
+    group
+        .iter()
+        .filter(|cell| !cell.engine.is_ours() && cell.engine.facts().exact)
+        .filter(|cell| cell.verdict == Verdict::Right)
+        .filter_map(|cell| Some((cell.engine, mode.nanoseconds(cell)?)))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn time_text(cell: &Cell, mode: Mode) -> Option<String> {
+    mode.nanoseconds(cell).map(|ns| format!("{ns:.0}"))
+}
+
+fn processor_text(cell: &Cell) -> Option<String> {
+    let user = median(cell.fresh.iter().map(|run| run.user))?;
+    let system = median(cell.fresh.iter().map(|run| run.system))?;
+    Some(format!("{:.1} + {:.1}", user * 1e3, system * 1e3))
+}
+
+/// Returns the median of something about the memory of the fresh runs.
+fn memory(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<f64> {
+    let known = cell.fresh.iter().filter_map(|run| run.memory.as_ref());
+    median(known.map(|memory| bytes(memory) as f64))
+}
+
+fn per_point(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<String> {
+    let bytes = memory(cell, bytes)?;
+    Some(format!("{:.0}", bytes / cell.points as f64))
+}
+
+fn dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| "–".to_owned())
+}
+
+/// Adds to a figure what the check had to say, or says why there is none.
+fn marked(cell: &Cell, figure: Option<String>) -> String {
+    match &cell.verdict {
+        Verdict::Right => dash(figure),
+        Verdict::Wrong {
+            triangles,
+            expected,
+        } => {
+            let surplus = *triangles as i128 - *expected as i128;
+            format!("{} ({surplus:+})", dash(figure))
+        }
+        Verdict::Failed { how, .. } => how.clone(),
+        Verdict::TimedOut(limit) => format!("> {:.0} s", limit.as_secs_f64()),
+    }
+}
+
+fn engine_json(engine: &Engine) -> Value {
+    let facts = engine.facts();
+    json!({
+        "engine": engine.to_string(),
+        "package": facts.package,
+        "version": version_of(facts.package),
+        "exact": facts.exact,
+        "timed": facts.timed,
+    })
+}
+
+fn cell_json(cell: &Cell) -> Value {
+    json!({
+        "distribution": cell.distribution.name(),
+        "points": cell.points,
+        "engine": cell.engine.to_string(),
+        "verdict": verdict_json(&cell.verdict),
+        "fresh": cell.fresh,
+        "repeated": cell.repeated,
+    })
+}
+
+fn verdict_json(verdict: &Verdict) -> Value {
+    match verdict {
+        Verdict::Right => json!("right"),
+        Verdict::Wrong {
+            triangles,
+            expected,
+        } => json!({ "wrong": { "triangles": triangles, "expected": expected } }),
+        Verdict::Failed { how, message } => json!({ "failed": { "how": how, "message": message } }),
+        Verdict::TimedOut(limit) => json!({ "timed_out": { "seconds": limit.as_secs_f64() } }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ONE_THREAD, Report};
+    use crate::distributions::Distribution;
+    use crate::engines::Engine;
+    use crate::machine::Machine;
+    use crate::measure::{Memory, Run};
+    use crate::plan::{Cell, Plan, Verdict};
+    use std::time::Duration;
+
+    const TWO_THREADS: Engine = Engine::Delone { threads: 2 };
+
+    fn cell(engine: Engine, nanoseconds: f64, verdict: Verdict) -> Cell {
+        let run = |factor: f64| Run {
+            seconds: factor * nanoseconds * 1e-9 * 1000.0,
+            user: 0.002,
+            system: 0.0005,
+            triangles: 1990,
+            memory: Some(Memory {
+                before: 1_000_000,
+                peak: 1_120_000,
+                after: 1_070_000,
+            }),
+            hash: None,
+        };
+        Cell {
+            distribution: Distribution::Gauss,
+            points: 1000,
+            engine,
+            verdict,
+            fresh: [2.0, 1.0, 0.9].map(run).to_vec(),
+            repeated: vec![run(0.5)],
+        }
+    }
+
+    fn report() -> Report {
+        let wrong = Verdict::Wrong {
+            triangles: 1987,
+            expected: 1990,
+        };
+        let failed = Verdict::Failed {
+            how: "panic".to_owned(),
+            message: "index out of bounds".to_owned(),
+        };
+        let dead = |engine, verdict| Cell {
+            fresh: Vec::new(),
+            repeated: Vec::new(),
+            ..cell(engine, 0.0, verdict)
+        };
+        let cells = vec![
+            cell(ONE_THREAD, 110.0, Verdict::Right),
+            cell(TWO_THREADS, 55.0, Verdict::Right),
+            cell(Engine::Spade, 400.0, Verdict::Right),
+            cell(Engine::Delaunator, 200.0, Verdict::Right),
+            cell(Engine::Cdt, 100.0, wrong),
+            dead(Engine::SpadeStable, failed),
+            dead(
+                Engine::SimpleDelaunay,
+                Verdict::TimedOut(Duration::from_secs(60)),
+            ),
+        ];
+        Report {
+            plan: Plan {
+                engines: cells.iter().map(|cell| cell.engine).collect(),
+                distributions: vec![Distribution::Gauss],
+                sizes: vec![1000],
+                seed: 1,
+                warmups: 2,
+                runs: 3,
+                repeats: 1,
+                timeout: Duration::from_secs(60),
+            },
+            machine: Machine::inspect(),
+            command: "delone-bench --quick".to_owned(),
+            cells,
+        }
+    }
+
+    /// Returns the trimmed fields of the first row for gauss in the section of `title`.
+    fn row(markdown: &str, title: &str) -> Vec<String> {
+        let section = &markdown[markdown.find(title).expect(title)..];
+        let row = section.lines().find(|line| line.starts_with("| gauss"));
+        let fields = row.expect("a row").trim_matches('|').split('|');
+        fields.map(|field| field.trim().to_owned()).collect()
+    }
+
+    #[test]
+    fn times_are_medians_and_the_ratio_is_to_the_fastest_exact_right_peer() {
+        let markdown = report().to_markdown();
+        assert_eq!(
+            row(&markdown, "fresh process (median"),
+            [
+                "gauss", "1k", "110", "55", "400", "200", "100 (-3)", "panic", "> 60 s", "0.28",
+                "spade", "2.00"
+            ]
+        );
+        assert_eq!(row(&markdown, "repeated in one")[2..5], ["55", "28", "200"]);
+    }
+
+    #[test]
+    fn memory_and_processor_time() {
+        let markdown = report().to_markdown();
+        let memory = row(&markdown, "Peak memory");
+        assert_eq!(memory[2], "120");
+        assert_eq!(memory[memory.len() - 2..], ["50", "1"]);
+        assert_eq!(row(&markdown, "Processor time")[2], "2.0 + 0.5");
+    }
+
+    #[test]
+    fn failures_are_told_in_full() {
+        let markdown = report().to_markdown();
+        assert!(markdown.contains("- spade-stable on gauss 1k: panic: index out of bounds"));
+        assert!(markdown.contains("| rounded |") || markdown.contains("rounded"));
+    }
+
+    #[test]
+    fn json_keeps_every_run() {
+        let json = report().to_json();
+        assert_eq!(json["cells"][0]["fresh"].as_array().map(Vec::len), Some(3));
+        assert_eq!(json["cells"][4]["verdict"]["wrong"]["expected"], 1990);
+        assert_eq!(json["engines"][3]["exact"], false);
+    }
+}
