@@ -10,6 +10,7 @@ use delone_bench::process::Launcher;
 use delone_bench::report::Report;
 use delone_bench::stats::{median, parse_size};
 use std::error::Error;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -46,7 +47,7 @@ struct Options {
     peers: Option<Vec<Engine>>,
     /// Numbers of threads for Delone
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
-    threads: Vec<usize>,
+    threads: Vec<NonZeroUsize>,
     /// Processes that count for each cell [default: 9, with --quick 3]
     #[arg(long)]
     runs: Option<usize>,
@@ -80,8 +81,8 @@ struct Profile {
     /// How often, each time on new points
     repeats: usize,
     /// Number of threads
-    #[arg(long, default_value_t = 1)]
-    threads: usize,
+    #[arg(long, default_value = "1")]
+    threads: NonZeroUsize,
     /// Seed of the first points
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -123,10 +124,8 @@ fn print_tables(options: Options) -> Result<(), Box<dyn Error>> {
 }
 
 fn plan(options: Options) -> Plan {
-    let ours = options
-        .threads
-        .iter()
-        .map(|&threads| Engine::Delone { threads });
+    let threads = options.threads.into_iter().map(NonZeroUsize::get);
+    let ours = threads.map(|threads| Engine::Delone { threads });
     let peers = options.peers.unwrap_or_else(|| Engine::PEERS.to_vec());
     let unless_quick = |normal, quick| if options.quick { quick } else { normal };
     let mut sizes = options.sizes;
@@ -155,7 +154,7 @@ fn command() -> String {
 
 fn print_profile(profile: &Profile) -> Result<(), Box<dyn Error>> {
     let engine = Engine::Delone {
-        threads: profile.threads,
+        threads: profile.threads.get(),
     };
     let mut times = Vec::new();
     for repeat in 0..profile.repeats as u64 {

@@ -6,7 +6,7 @@
 
 use crate::engines::Engine;
 use crate::machine::{Machine, version_of};
-use crate::measure::{Memory, Run};
+use crate::measure::Memory;
 use crate::plan::{Cell, Plan, Verdict};
 use crate::stats::{median, size_name};
 use crate::table::Table;
@@ -26,26 +26,48 @@ pub struct Report {
     pub cells: Vec<Cell>,
 }
 
-/// Which of a cell's runs a table is about.
+/// What a table of times is about.
 #[derive(Clone, Copy)]
-enum Mode {
+enum Figure {
+    /// Wall time in fresh processes.
     Fresh,
+    /// Wall time of repeats in one process.
     Repeated,
+    /// Processor time in fresh processes, all threads: what a busy machine disturbs least.
+    Processor,
 }
 
-impl Mode {
-    fn runs(self, cell: &Cell) -> &[Run] {
-        match self {
-            Self::Fresh => &cell.fresh,
-            Self::Repeated => &cell.repeated,
-        }
-    }
-
+impl Figure {
     /// Returns the median time a point, nanoseconds.
     fn nanoseconds(self, cell: &Cell) -> Option<f64> {
-        let seconds = median(self.runs(cell).iter().map(|run| run.seconds))?;
-        Some(seconds * 1e9 / cell.points as f64)
+        let seconds = match self {
+            Self::Fresh => median(cell.fresh.iter().map(|run| run.seconds)),
+            Self::Repeated => median(cell.repeated.iter().map(|run| run.seconds)),
+            Self::Processor => median(cell.fresh.iter().map(|run| run.user + run.system)),
+        };
+        Some(seconds? * 1e9 / cell.points as f64)
     }
+
+    fn text(self, cell: &Cell) -> Option<String> {
+        let nanoseconds = self.nanoseconds(cell)?;
+        Some(match self {
+            Self::Fresh | Self::Repeated => format!("{nanoseconds:.0}"),
+            Self::Processor => split_text(cell, nanoseconds),
+        })
+    }
+}
+
+/// Writes a processor time as user + system, in the mean proportion of all runs: the kernel tells
+/// the sum exactly, but the parts of a short run only by sampling.
+fn split_text(cell: &Cell, nanoseconds: f64) -> String {
+    let system: f64 = cell.fresh.iter().map(|run| run.system).sum();
+    let both: f64 = cell.fresh.iter().map(|run| run.user + run.system).sum();
+    let system = if both > 0.0 {
+        nanoseconds * system / both
+    } else {
+        0.0
+    };
+    format!("{:.0} + {system:.0}", nanoseconds - system)
 }
 
 impl Report {
@@ -63,31 +85,50 @@ impl Report {
             writeln!(out, "- {label}: {value}")?;
         }
         writeln!(out, "\n{}", self.engine_table())?;
-        let Plan { warmups, runs, .. } = self.plan;
-        let title = format!(
-            "ns a point, each in a fresh process (median of {runs} after {warmups} warm-ups)"
-        );
-        self.write_section(out, &title, &self.time_table(Mode::Fresh))?;
-        if self.plan.repeats > 0 {
-            let title = format!(
-                "ns a point, repeated in one process on new points (median of {})",
-                self.plan.repeats
-            );
-            self.write_section(out, &title, &self.time_table(Mode::Repeated))?;
+        let Plan {
+            warmups,
+            runs,
+            repeats,
+            ..
+        } = self.plan;
+        let fresh = format!("each in a fresh process (median of {runs} after {warmups} warm-ups)");
+        self.write_times(out, &format!("ns a point, {fresh}"), Figure::Fresh)?;
+        if repeats > 0 {
+            let title =
+                format!("ns a point, repeated in one process on new points (median of {repeats})");
+            self.write_times(out, &title, Figure::Repeated)?;
         }
-        let title = "Processor time, user + system ms, fresh process";
-        self.write_section(out, title, &self.processor_table())?;
-        let title = "Peak memory beyond the input, bytes a point, fresh process";
-        self.write_section(out, title, &self.memory_table())?;
+        let title = "Processor time in the fresh processes, user + system, ns a point";
+        self.write_times(out, title, Figure::Processor)?;
+        let title = "Peak memory beyond the input in the fresh processes, bytes a point";
+        writeln!(out, "**{title}**\n\n{}", self.memory_table())?;
         self.write_failures(out)
     }
 
-    fn write_section(&self, out: &mut String, title: &str, table: &Table) -> std::fmt::Result {
-        writeln!(out, "**{title}**\n\n{table}")
+    fn write_times(&self, out: &mut String, title: &str, figure: Figure) -> std::fmt::Result {
+        writeln!(out, "**{title}**\n\n{}", self.time_table(figure))?;
+        let ratios = self
+            .groups()
+            .filter_map(|group| Some((ratio(group, figure)?, &group[0])));
+        let largest = ratios.max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((
+            ratio,
+            Cell {
+                distribution,
+                points,
+                ..
+            },
+        )) = largest
+        {
+            let size = size_name(*points);
+            writeln!(out, "Largest ratio: {ratio:.2} ({distribution} {size}).\n")?;
+        }
+        Ok(())
     }
 
     fn engine_table(&self) -> Table {
-        let mut table = Table::new(["engine", "version", "predicates", "timed"]);
+        let mut table =
+            Table::new(["engine", "version", "predicates", "timed"]).with_text_columns(4);
         for engine in &self.plan.engines {
             let facts = engine.facts();
             table.push(vec![
@@ -100,32 +141,26 @@ impl Report {
         table
     }
 
-    fn time_table(&self, mode: Mode) -> Table {
-        let parallel = self.parallel_engines();
+    fn time_table(&self, figure: Figure) -> Table {
+        // Threads do not save processor time.
+        let parallel = match figure {
+            Figure::Processor => Vec::new(),
+            Figure::Fresh | Figure::Repeated => self.parallel_engines(),
+        };
         let speedups = parallel.iter().map(|e| format!("{e} speed-up"));
         let extra = ["ratio".to_owned(), "to".to_owned()];
         self.table(extra.into_iter().chain(speedups), |group| {
-            let cells = group.iter().map(|cell| marked(cell, time_text(cell, mode)));
-            let rival = fastest_exact_peer(group, mode);
-            let ours = time_of(group, ONE_THREAD, mode);
-            let ratio = rival.and_then(|(_, theirs)| Some(format!("{:.2}", ours? / theirs)));
-            let name = rival.map(|(engine, _)| engine.to_string());
+            let cells = group.iter().map(|cell| marked(cell, figure.text(cell)));
+            let ratio = ratio(group, figure).map(|ratio| format!("{ratio:.2}"));
+            let rival = fastest_exact_peer(group, figure).map(|(engine, _)| engine.to_string());
+            let ours = time_of(group, ONE_THREAD, figure);
             let speedups = parallel.iter().map(|&engine| {
-                let speedup = ours.zip(time_of(group, engine, mode));
+                let speedup = ours.zip(time_of(group, engine, figure));
                 dash(speedup.map(|(one, many)| format!("{:.2}", one / many)))
             });
             cells
-                .chain([dash(ratio), dash(name)])
+                .chain([dash(ratio), dash(rival)])
                 .chain(speedups)
-                .collect()
-        })
-    }
-
-    fn processor_table(&self) -> Table {
-        self.table([], |group| {
-            group
-                .iter()
-                .map(|cell| marked(cell, processor_text(cell)))
                 .collect()
         })
     }
@@ -211,27 +246,22 @@ fn find(group: &[Cell], engine: Engine) -> Option<&Cell> {
     group.iter().find(|cell| cell.engine == engine)
 }
 
-fn time_of(group: &[Cell], engine: Engine, mode: Mode) -> Option<f64> {
-    mode.nanoseconds(find(group, engine)?)
+fn time_of(group: &[Cell], engine: Engine, figure: Figure) -> Option<f64> {
+    figure.nanoseconds(find(group, engine)?)
 }
 
-fn fastest_exact_peer(group: &[Cell], mode: Mode) -> Option<(Engine, f64)> {
+fn ratio(group: &[Cell], figure: Figure) -> Option<f64> {
+    let (_, theirs) = fastest_exact_peer(group, figure)?;
+    Some(time_of(group, ONE_THREAD, figure)? / theirs)
+}
+
+fn fastest_exact_peer(group: &[Cell], figure: Figure) -> Option<(Engine, f64)> {
     group
         .iter()
         .filter(|cell| !cell.engine.is_ours() && cell.engine.facts().exact)
         .filter(|cell| cell.verdict == Verdict::Right)
-        .filter_map(|cell| Some((cell.engine, mode.nanoseconds(cell)?)))
+        .filter_map(|cell| Some((cell.engine, figure.nanoseconds(cell)?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-fn time_text(cell: &Cell, mode: Mode) -> Option<String> {
-    mode.nanoseconds(cell).map(|ns| format!("{ns:.0}"))
-}
-
-fn processor_text(cell: &Cell) -> Option<String> {
-    let user = median(cell.fresh.iter().map(|run| run.user))?;
-    let system = median(cell.fresh.iter().map(|run| run.system))?;
-    Some(format!("{:.1} + {:.1}", user * 1e3, system * 1e3))
 }
 
 /// Returns the median of something about the memory of the fresh runs.
@@ -389,13 +419,14 @@ mod tests {
     fn times_are_medians_and_the_ratio_is_to_the_fastest_exact_right_peer() {
         let markdown = report().to_markdown();
         assert_eq!(
-            row(&markdown, "fresh process (median"),
+            row(&markdown, "ns a point, each in a fresh"),
             [
                 "gauss", "1k", "110", "55", "400", "200", "100 (-3)", "panic", "> 60 s", "0.28",
                 "spade", "2.00"
             ]
         );
         assert_eq!(row(&markdown, "repeated in one")[2..5], ["55", "28", "200"]);
+        assert!(markdown.contains("Largest ratio: 0.28 (gauss 1k)."));
     }
 
     #[test]
@@ -404,14 +435,20 @@ mod tests {
         let memory = row(&markdown, "Peak memory");
         assert_eq!(memory[2], "120");
         assert_eq!(memory[memory.len() - 2..], ["50", "1"]);
-        assert_eq!(row(&markdown, "Processor time")[2], "2.0 + 0.5");
+        assert_eq!(row(&markdown, "Processor time")[2], "2000 + 500");
+        assert_eq!(row(&markdown, "Processor time")[9..], ["1.00", "spade"]);
     }
 
     #[test]
     fn failures_are_told_in_full() {
         let markdown = report().to_markdown();
         assert!(markdown.contains("- spade-stable on gauss 1k: panic: index out of bounds"));
-        assert!(markdown.contains("| rounded |") || markdown.contains("rounded"));
+        let rounded = markdown.lines().filter(|line| line.contains("| rounded "));
+        assert!(
+            rounded
+                .map(|line| line.starts_with("| delaunator "))
+                .eq([true])
+        );
     }
 
     #[test]

@@ -2,19 +2,29 @@
 
 use std::fmt;
 
-/// Rows of text under a header; the first column is aligned left, the others right.
+/// Rows of text under a header; the first columns are words and aligned left, the others right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     header: Vec<String>,
     rows: Vec<Vec<String>>,
+    text_columns: usize,
 }
 
 impl Table {
-    /// Starts a table.
+    /// Starts a table whose first column is words.
     pub fn new(header: impl IntoIterator<Item = impl Into<String>>) -> Self {
         Self {
             header: header.into_iter().map(Into::into).collect(),
             rows: Vec::new(),
+            text_columns: 1,
+        }
+    }
+
+    /// Makes the first `number` columns words.
+    pub fn with_text_columns(self, number: usize) -> Self {
+        Self {
+            text_columns: number,
+            ..self
         }
     }
 
@@ -37,31 +47,37 @@ impl Table {
         };
         (0..self.header.len()).map(width).collect()
     }
+
+    fn write_row(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        row: &[String],
+        widths: &[usize],
+    ) -> fmt::Result {
+        for (column, (cell, &width)) in row.iter().zip(widths).enumerate() {
+            if column < self.text_columns {
+                write!(f, "| {cell:<width$} ")?;
+            } else {
+                write!(f, "| {cell:>width$} ")?;
+            }
+        }
+        writeln!(f, "|")
+    }
 }
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let widths = self.widths();
-        write_row(f, &self.header, &widths)?;
+        self.write_row(f, &self.header, &widths)?;
         for (column, &width) in widths.iter().enumerate() {
-            let end = if column == 0 { "-" } else { ":" };
+            let end = if column < self.text_columns { "-" } else { ":" };
             write!(f, "|{}{end}", "-".repeat(width + 1))?;
         }
         writeln!(f, "|")?;
         self.rows
             .iter()
-            .try_for_each(|row| write_row(f, row, &widths))
+            .try_for_each(|row| self.write_row(f, row, &widths))
     }
-}
-
-fn write_row(f: &mut fmt::Formatter<'_>, row: &[String], widths: &[usize]) -> fmt::Result {
-    for (column, (cell, &width)) in row.iter().zip(widths).enumerate() {
-        match column {
-            0 => write!(f, "| {cell:<width$} ")?,
-            _ => write!(f, "| {cell:>width$} ")?,
-        }
-    }
-    writeln!(f, "|")
 }
 
 #[cfg(test)]
@@ -81,5 +97,7 @@ mod tests {
             "",
         ];
         assert_eq!(table.to_string(), lines.join("\n"));
+        let words = table.with_text_columns(2).to_string();
+        assert!(words.contains("| 1M  | 1234 |") && words.contains("|-----|-----:|"));
     }
 }

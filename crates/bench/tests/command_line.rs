@@ -1,0 +1,68 @@
+//! The program itself, on very few points.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn bench(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_delone-bench"))
+        .args(args)
+        .output()
+        .expect("the program starts")
+}
+
+fn scratch_file(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn one_command_prints_tables_and_writes_json() {
+    let path = scratch_file("bench.json");
+    let json = path.to_str().expect("a path in UTF-8");
+    let output = bench(&[
+        "--sizes=300,100",
+        "--distributions=uniform,grid",
+        "--peers=spade,delaunator",
+        "--runs=2",
+        "--warmups=1",
+        "--repeats=2",
+        "--json",
+        json,
+    ]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success());
+    assert_eq!(text.matches("\n| grid    | 300 |").count(), 4, "{text}");
+    assert_eq!(text.matches("Largest ratio").count(), 3, "{text}");
+
+    let json = std::fs::read_to_string(path).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let cells = report["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 2 * 2 * 4);
+    for cell in cells {
+        assert_eq!(cell["verdict"], "right", "{cell}");
+        assert_eq!(cell["fresh"].as_array().map(Vec::len), Some(2));
+        assert_eq!(cell["repeated"].as_array().map(Vec::len), Some(2));
+    }
+}
+
+#[test]
+fn profiling_prints_every_run() {
+    let output = bench(&["profile", "line", "1k", "3"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success());
+    assert_eq!(text.lines().count(), 4, "{text}");
+    assert!(text.lines().last().unwrap().starts_with("min "));
+}
+
+#[test]
+fn unknown_names_are_refused_with_the_known_ones() {
+    for args in [
+        ["--peers=qhull"],
+        ["--distributions=square"],
+        ["--threads=0"],
+    ] {
+        let output = bench(&args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+    }
+    let complaint = String::from_utf8(bench(&["--peers=qhull"]).stderr).unwrap();
+    assert!(complaint.contains("spade-stable"), "{complaint}");
+}
