@@ -207,11 +207,13 @@ mod tests {
     }
 
     #[test]
-    fn peers_count_the_triangles_that_euler_demands() {
+    fn everyone_counts_the_triangles_that_euler_demands() {
         let points = Distribution::Uniform.points(500, 11);
-        for engine in Engine::PEERS {
+        let ours = [1, 2].map(|threads| Engine::Delone { threads });
+        for engine in ours.into_iter().chain(Engine::PEERS) {
             let run = engine.run(points.clone(), true).unwrap();
             assert_eq!(run.triangles, expected::num_triangles(&points), "{engine}");
+            assert_eq!(run.hash.is_some(), engine.is_ours(), "{engine}");
         }
     }
 }
