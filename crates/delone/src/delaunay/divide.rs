@@ -8,34 +8,17 @@
 
 use super::frame::{Axis, Frame};
 use super::group::{merge_equal, sort_few, sort_in_own_box};
-use super::knit::{HullVertex, NONE, is_left, merge};
+use super::knit::{HullVertex, merge};
+use super::leaf::{self, Hull, is_below, is_left_of};
 use super::parallel::Workers;
 use super::sheet::Sheet;
-use crate::{Phase, Point, Watch};
-use std::cmp::Ordering;
+use crate::{Phase, Watch};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Ranges up to this size run on one thread and are not interrupted.
 const TASK: usize = 1 << 13;
 /// Groups of equal keys up to this size are cut in lexicographic order, larger ones get new keys.
 const LEXICOGRAPHIC: usize = 12;
-
-/// The four extreme hull vertices; ties are broken as in the frame turned by the cut:
-/// leftmost and rightmost by (x, y), lowest and topmost by (y, −x).
-#[derive(Clone, Copy)]
-pub(super) struct Hull {
-    left: HullVertex,
-    right: HullVertex,
-    bottom: HullVertex,
-    top: HullVertex,
-}
-
-impl Hull {
-    /// The ghost of some hull edge; `None` if there is only one point.
-    pub fn ghost(&self) -> Option<u32> {
-        Some(self.left.ghost).filter(|&ghost| ghost != NONE)
-    }
-}
 
 /// One run of divide and conquer.
 pub(super) struct Divide<'a, const FILTERED: bool> {
@@ -77,17 +60,29 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
 
     fn solve(&self, lo: usize, hi: usize, frame: &Frame) -> Hull {
         match hi - lo {
-            1 => self.point(lo as u32),
-            2 => self.pair_or_duplicate(lo),
-            3 => self.triple(lo),
-            _ => match self.cut(lo, hi, frame) {
-                Some((mid, axis)) => {
-                    let left = self.solve(lo, mid, frame);
-                    let right = self.solve(mid, hi, frame);
-                    self.conquer(left, right, mid, axis)
+            1 => return Hull::of_point(lo as u32),
+            2 if self.sheet.point(lo as u32) != self.sheet.point(lo as u32 + 1) => {
+                return leaf::edge(self.sheet, lo as u32);
+            }
+            3 => {
+                if let Some(hull) = leaf::triangle::<FILTERED>(self.sheet, lo as u32) {
+                    return hull;
                 }
-                None => self.solve_group(lo, hi),
-            },
+            }
+            4 => {
+                if let Some(hull) = leaf::quadruple::<FILTERED>(self.sheet, lo as u32) {
+                    return hull;
+                }
+            }
+            _ => {}
+        }
+        match self.cut(lo, hi, frame) {
+            Some((mid, axis)) => {
+                let left = self.solve(lo, mid, frame);
+                let right = self.solve(mid, hi, frame);
+                self.conquer(left, right, mid, axis)
+            }
+            None => self.solve_group(lo, hi),
         }
     }
 
@@ -118,165 +113,44 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
         };
         let seam = merge::<FILTERED>(self.sheet, inner_left, inner_right, free);
         // A tangent's end keeps its place on the hull, but its hull edge is a new one.
-        let from_left = |v: HullVertex| HullVertex {
-            ghost: if v.vertex == seam.lower[0] {
+        let from_left = |v: HullVertex| {
+            let ghost = if v.vertex == seam.lower[0] {
                 seam.bottom
             } else {
                 v.ghost
-            },
-            ..v
+            };
+            HullVertex { ghost, ..v }
         };
-        let from_right = |v: HullVertex| HullVertex {
-            ghost: if v.vertex == seam.upper[1] {
+        let from_right = |v: HullVertex| {
+            let ghost = if v.vertex == seam.upper[1] {
                 seam.top
             } else {
                 v.ghost
-            },
-            ..v
+            };
+            HullVertex { ghost, ..v }
         };
-        let pick = |l: HullVertex, r: HullVertex, left_wins: bool| {
-            if left_wins {
-                from_left(l)
-            } else {
-                from_right(r)
-            }
+        let pick = |left_wins: bool, l: HullVertex, r: HullVertex| {
+            HullVertex::select(left_wins, from_left(l), from_right(r))
         };
-        let by_x = |l: HullVertex, r: HullVertex| self.by_x(l.vertex, r.vertex).is_lt();
-        let by_y = |l: HullVertex, r: HullVertex| self.by_y(l.vertex, r.vertex).is_lt();
+        let by_x = |a: HullVertex, b: HullVertex| is_left_of(self.sheet, a.vertex, b.vertex);
+        let by_y = |a: HullVertex, b: HullVertex| is_below(self.sheet, a.vertex, b.vertex);
         match axis {
             Axis::X => Hull {
                 left: from_left(left.left),
                 right: from_right(right.right),
-                bottom: pick(left.bottom, right.bottom, by_y(left.bottom, right.bottom)),
-                top: pick(left.top, right.top, by_y(right.top, left.top)),
+                bottom: pick(by_y(left.bottom, right.bottom), left.bottom, right.bottom),
+                top: pick(by_y(right.top, left.top), left.top, right.top),
             },
             Axis::Y => Hull {
-                left: pick(left.left, right.left, by_x(left.left, right.left)),
-                right: pick(left.right, right.right, by_x(right.right, left.right)),
+                left: pick(by_x(left.left, right.left), left.left, right.left),
+                right: pick(by_x(right.right, left.right), left.right, right.right),
                 bottom: from_left(left.bottom),
                 top: from_right(right.top),
             },
         }
     }
 
-    #[inline(always)]
-    fn by_x(&self, a: u32, b: u32) -> Ordering {
-        self.sheet.point(a).lex_cmp(&self.sheet.point(b))
-    }
-
-    #[inline(always)]
-    fn by_y(&self, a: u32, b: u32) -> Ordering {
-        let turned = |v: u32| {
-            let p = self.sheet.point(v);
-            Point::new(p.y, -p.x)
-        };
-        turned(a).lex_cmp(&turned(b))
-    }
-
-    fn point(&self, vertex: u32) -> Hull {
-        let v = HullVertex {
-            vertex,
-            ghost: NONE,
-        };
-        Hull {
-            left: v,
-            right: v,
-            bottom: v,
-            top: v,
-        }
-    }
-
-    fn pair_or_duplicate(&self, lo: usize) -> Hull {
-        let (a, b) = (lo as u32, lo as u32 + 1);
-        if self.sheet.point(a) == self.sheet.point(b) {
-            return self.solve_group(lo, lo + 2);
-        }
-        self.pair(lo)
-    }
-
-    /// Two ghosts, one on each side of the edge.
-    #[inline]
-    fn pair(&self, lo: usize) -> Hull {
-        let (a, b) = (lo as u32, lo as u32 + 1);
-        let there = 6 * a;
-        let back = there + 3;
-        self.sheet.set_ghost(there, a, b);
-        self.sheet.set_ghost(back, b, a);
-        self.sheet.bond(there, back);
-        self.sheet.link_ghosts(there, back);
-        self.sheet.link_ghosts(back, there);
-        let a = HullVertex {
-            vertex: a,
-            ghost: there,
-        };
-        let b = HullVertex {
-            vertex: b,
-            ghost: back,
-        };
-        let (left, right) = if self.by_x(a.vertex, b.vertex).is_lt() {
-            (a, b)
-        } else {
-            (b, a)
-        };
-        let (bottom, top) = if self.by_y(a.vertex, b.vertex).is_lt() {
-            (a, b)
-        } else {
-            (b, a)
-        };
-        Hull {
-            left,
-            right,
-            bottom,
-            top,
-        }
-    }
-
-    /// A triangle and its three ghosts.
-    #[inline]
-    fn triple(&self, lo: usize) -> Hull {
-        let v = lo as u32;
-        if is_left::<FILTERED>(self.sheet, v, v + 1, v + 2) {
-            self.triangle(v, [v, v + 1, v + 2])
-        } else if is_left::<FILTERED>(self.sheet, v, v + 2, v + 1) {
-            self.triangle(v, [v, v + 2, v + 1])
-        } else {
-            self.solve_group(lo, lo + 3)
-        }
-    }
-
-    #[inline]
-    fn triangle(&self, lo: u32, corners: [u32; 3]) -> Hull {
-        let inner = 6 * lo;
-        self.sheet.set_face(inner, corners);
-        let ghost = |k: u32| inner + 3 * (k + 1);
-        for k in 0..3 {
-            // Ghost k lies beyond the half-edge that starts at corner k.
-            let [a, b] = [corners[k as usize], corners[(k as usize + 1) % 3]];
-            self.sheet.set_ghost(ghost(k), a, b);
-            self.sheet.bond(ghost(k), inner + (k + 2) % 3);
-            self.sheet.link_ghosts(ghost(k), ghost((k + 1) % 3));
-        }
-        let v = [0, 1, 2].map(|k| HullVertex {
-            vertex: corners[k as usize],
-            ghost: ghost(k),
-        });
-        let min = |less: &dyn Fn(u32, u32) -> bool| {
-            let m = if less(v[1].vertex, v[0].vertex) {
-                v[1]
-            } else {
-                v[0]
-            };
-            if less(v[2].vertex, m.vertex) { v[2] } else { m }
-        };
-        Hull {
-            left: min(&|a, b| self.by_x(a, b).is_lt()),
-            right: min(&|a, b| self.by_x(a, b).is_gt()),
-            bottom: min(&|a, b| self.by_y(a, b).is_lt()),
-            top: min(&|a, b| self.by_y(a, b).is_gt()),
-        }
-    }
-
-    /// Solves a range whose keys are all equal, or whose three points lie on a line.
+    /// Solves a range whose keys are all equal.
     #[cold]
     #[inline(never)]
     fn solve_group(&self, lo: usize, hi: usize) -> Hull {
@@ -312,7 +186,7 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
             Some(frame) => go_on(&frame),
             None => {
                 self.retire(lo + 1, hi);
-                Some(self.point(lo as u32))
+                Some(Hull::of_point(lo as u32))
             }
         }
     }
@@ -338,8 +212,8 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
     /// Solves points in lexicographic order without duplicates by halving.
     fn solve_sorted(&self, lo: usize, hi: usize) -> Hull {
         match hi - lo {
-            1 => self.point(lo as u32),
-            2 => self.pair(lo),
+            1 => Hull::of_point(lo as u32),
+            2 => leaf::edge(self.sheet, lo as u32),
             n => {
                 let mid = lo + n / 2;
                 let left = self.solve_sorted(lo, mid);

@@ -9,6 +9,7 @@
 //! All signs of one step are taken relative to the left end of the base, so that differences,
 //! lifts and cross products are shared between the tests.
 
+use super::pair::Pair;
 use super::sheet::Sheet;
 use crate::Point;
 use crate::predicates::{self, IN_CIRCLE_BOUND, ORIENT2D_BOUND, Orientation};
@@ -21,6 +22,18 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct HullVertex {
     pub vertex: u32,
     pub ghost: u32,
+}
+
+impl HullVertex {
+    /// Returns `a` if `condition` holds, else `b`, by arithmetic: a branch would be mispredicted.
+    #[inline(always)]
+    pub fn select(condition: bool, a: Self, b: Self) -> Self {
+        let mask = u32::from(condition).wrapping_neg();
+        Self {
+            vertex: b.vertex ^ (a.vertex ^ b.vertex) & mask,
+            ghost: b.ghost ^ (a.ghost ^ b.ghost) & mask,
+        }
+    }
 }
 
 /// Where two hulls were joined.
@@ -49,7 +62,7 @@ pub(super) fn merge<const FILTERED: bool>(
     let mut knit = Knit::<FILTERED>::start(sheet, left, right, bottom);
     knit.run();
     let upper = [knit.left, knit.right];
-    knit.finish(bottom, top, left.ghost, right.ghost);
+    knit.finish(bottom, top);
     Seam {
         lower: [left.vertex, right.vertex],
         upper,
@@ -97,10 +110,33 @@ fn lower_tangent<const FILTERED: bool>(
 #[inline(always)]
 pub(super) fn is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
     let origin = sheet.point(a);
-    let ab = Arm::new(sheet.point(b), origin);
-    let ac = Arm::new(sheet.point(c), origin);
-    ab.cross(ac)
-        .is_positive::<FILTERED>(|| exact_is_left(sheet, a, b, c))
+    let [bx, by] = arm(sheet.point(b), origin);
+    let [cx, cy] = arm(sheet.point(c), origin);
+    is_positive::<FILTERED>(bx * cy, by * cx, || exact_is_left(sheet, a, b, c))
+}
+
+/// Tells whether `d` lies inside the perturbed circle through `a`, `b`, `c`, counter-clockwise.
+#[inline(always)]
+pub(super) fn is_inside<const FILTERED: bool>(
+    sheet: Sheet,
+    a: u32,
+    b: u32,
+    c: u32,
+    d: u32,
+) -> bool {
+    let origin = sheet.point(a);
+    let [b_arm, c_arm, d_arm] = [b, c, d].map(|v| arm(sheet.point(v), origin));
+    let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+    let [bl, cl, dl] = [b_arm, c_arm, d_arm].map(|p| p[0] * p[0] + p[1] * p[1]);
+    let det = cl * cross(b_arm, d_arm) - dl * cross(b_arm, c_arm) - bl * cross(c_arm, d_arm);
+    let bound = IN_CIRCLE_BOUND * (dl * cl + (dl + cl) * bl);
+    if FILTERED && det > bound {
+        true
+    } else if FILTERED && det < -bound {
+        false
+    } else {
+        exact_in_circle(sheet, a, b, c, d)
+    }
 }
 
 #[cold]
@@ -121,117 +157,99 @@ fn exact_in_circle(sheet: Sheet, a: u32, b: u32, c: u32, d: u32) -> bool {
     predicates::in_circle_perturbed_exact(a, b, c, d)
 }
 
-/// A vector from the left end of the base, rounded.
-#[derive(Clone, Copy)]
-struct Arm {
-    x: f64,
-    y: f64,
+/// The vector from `origin` to `p`, rounded.
+#[inline(always)]
+fn arm(p: Point, origin: Point) -> [f64; 2] {
+    [p.x - origin.x, p.y - origin.y]
 }
 
-impl Arm {
-    #[inline(always)]
-    fn new(p: Point, origin: Point) -> Self {
-        Self {
-            x: p.x - origin.x,
-            y: p.y - origin.y,
-        }
-    }
-
-    #[inline(always)]
-    fn lift(self) -> f64 {
-        self.x * self.x + self.y * self.y
-    }
-
-    #[inline(always)]
-    fn cross(self, other: Self) -> Cross {
-        Cross {
-            plus: self.x * other.y,
-            minus: self.y * other.x,
-        }
+/// The sign of a cross product with products `plus` and `minus`, in doubt from `exact`.
+#[inline(always)]
+fn is_positive<const FILTERED: bool>(plus: f64, minus: f64, exact: impl FnOnce() -> bool) -> bool {
+    let bound = ORIENT2D_BOUND * (plus.abs() + minus.abs());
+    if FILTERED && plus - minus > bound {
+        true
+    } else if FILTERED && plus - minus < -bound {
+        false
+    } else {
+        exact()
     }
 }
 
-/// The two products of a cross product, from which its sign may be certain.
-#[derive(Clone, Copy)]
-struct Cross {
-    plus: f64,
-    minus: f64,
-}
-
-impl Cross {
-    #[inline(always)]
-    fn value(self) -> f64 {
-        self.plus - self.minus
-    }
-
-    #[inline(always)]
-    fn is_positive<const FILTERED: bool>(self, exact: impl FnOnce() -> bool) -> bool {
-        let bound = ORIENT2D_BOUND * (self.plus.abs() + self.minus.abs());
-        if FILTERED && self.value() > bound {
-            true
-        } else if FILTERED && self.value() < -bound {
-            false
-        } else {
-            exact()
-        }
-    }
-}
+/// The bit of the left lane.
+const LEFT: u32 = 1;
+/// The bit of the right lane.
+const RIGHT: u32 = 2;
 
 /// The state of a merge: the base runs from `left` to `right`, everything below is knitted.
 struct Knit<const FILTERED: bool> {
     sheet: Sheet,
     left: u32,
     right: u32,
-    /// Ghost of the left hull's edge that starts at `left` and goes up, or [`NONE`].
+    /// Ghost of the left hull's edge that starts at `left` and goes up.
     left_ghost: u32,
-    /// Ghost of the right hull's edge that comes down to `right`, or [`NONE`].
+    /// Ghost of the right hull's edge that comes down to `right`.
     right_ghost: u32,
+    /// Which sides have a ghost at all: a lone point has none, and its lane sees the other's.
+    sides: u32,
     /// The upper side of the face below the base: the twin-to-be of the next triangle's base.
     base: u32,
 }
 
-/// A vertex that may become the apex of the next triangle, relative to the left end of the base.
-#[derive(Clone, Copy)]
-struct Candidate {
-    vertex: u32,
-    arm: Arm,
-    lift: f64,
-    /// Cross product with the base.
-    cross: f64,
+/// The candidates for the next apex, one in each lane, relative to the left end of the base.
+struct Candidates {
+    vertices: [u32; 2],
+    x: Pair,
+    y: Pair,
+    lift: Pair,
+    /// Cross products with the base.
+    cross: Pair,
+    /// Which of them lie above the base.
+    valid: u32,
 }
 
 impl<const FILTERED: bool> Knit<FILTERED> {
     fn start(sheet: Sheet, left: HullVertex, right: HullVertex, bottom: u32) -> Self {
         sheet.set_ghost(bottom, left.vertex, right.vertex);
+        let mut sides = 0;
+        let (mut left_ghost, mut right_ghost) = (left.ghost, NONE);
         if left.ghost != NONE {
             sheet.bond(bottom + 1, sheet.twin(left.ghost + 1));
+            sides |= LEFT;
         }
-        let mut right_ghost = NONE;
         if right.ghost != NONE {
             right_ghost = sheet.twin(right.ghost + 1) - 2;
             sheet.bond(bottom + 2, right.ghost + 1);
+            sides |= RIGHT;
+        }
+        if left_ghost == NONE {
+            left_ghost = right_ghost;
+        }
+        if right_ghost == NONE {
+            right_ghost = left_ghost;
         }
         Self {
             sheet,
             left: left.vertex,
             right: right.vertex,
-            left_ghost: left.ghost,
+            left_ghost,
             right_ghost,
+            sides,
             base: bottom,
         }
     }
 
     /// Closes the seam with the ghost above the upper tangent.
-    fn finish(self, bottom: u32, top: u32, first_left: u32, first_right: u32) {
+    fn finish(self, bottom: u32, top: u32) {
         let Self { sheet, .. } = self;
         sheet.set_ghost(top, self.right, self.left);
         sheet.bond(top, self.base);
-        if first_left == NONE {
+        if self.sides & LEFT == 0 {
             sheet.link_ghosts(top, bottom);
         } else {
             sheet.link_ghosts(top, self.left_ghost);
         }
-        if first_right == NONE {
+        if self.sides & RIGHT == 0 {
             sheet.link_ghosts(bottom, top);
         } else {
             sheet.link_ghosts(self.right_ghost, top);
@@ -241,157 +259,157 @@ impl<const FILTERED: bool> Knit<FILTERED> {
     /// Raises the base until neither side has a vertex above it.
     #[inline(always)]
     fn run(&mut self) {
+        if self.sides == 0 {
+            return;
+        }
         loop {
             let origin = self.sheet.point(self.left);
-            let base = Arm::new(self.sheet.point(self.right), origin);
-            let base_lift = base.lift();
-            let left = self.left_candidate(origin, base, base_lift);
-            let right = self.right_candidate(origin, base, base_lift);
-            match (left, right) {
-                (None, None) => return,
-                (Some(left), None) => self.advance_left(left.vertex),
-                (None, Some(right)) => self.advance_right(right.vertex),
-                (Some(left), Some(right)) => {
-                    if self.is_inside(
-                        base,
-                        base_lift,
-                        left,
-                        right.vertex,
-                        right.arm,
-                        right.lift,
-                        right.cross,
-                    ) {
-                        self.advance_right(right.vertex);
+            let base = arm(self.sheet.point(self.right), origin);
+            let base_lift = base[0] * base[0] + base[1] * base[1];
+            let apex = self.candidates(origin, base, base_lift);
+            match apex.valid {
+                0 => return,
+                LEFT => self.advance_left(apex.vertices[0]),
+                RIGHT => self.advance_right(apex.vertices[1]),
+                _ => {
+                    if self.is_right_inside(&apex, base_lift) {
+                        self.advance_right(apex.vertices[1]);
                     } else {
-                        self.advance_left(left.vertex);
+                        self.advance_left(apex.vertices[0]);
                     }
                 }
             }
         }
     }
 
-    /// Whether `vertex` lies inside the circle through the base and `apex`.
+    /// Whether the right candidate lies inside the circle through the base and the left one.
     #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
-    fn is_inside(
-        &self,
-        base: Arm,
-        base_lift: f64,
-        apex: Candidate,
-        vertex: u32,
-        arm: Arm,
-        lift: f64,
-        cross: f64,
-    ) -> bool {
-        let _ = base;
-        let det = lift * apex.cross - apex.lift * cross + base_lift * apex.arm.cross(arm).value();
-        let bound = IN_CIRCLE_BOUND * (lift * apex.lift + apex.lift * base_lift + base_lift * lift);
+    fn is_right_inside(&self, apex: &Candidates, base_lift: f64) -> bool {
+        let [l, r] = [apex.lift.left(), apex.lift.right()];
+        let mixed = apex.x.left() * apex.y.right() - apex.y.left() * apex.x.right();
+        let det = r * apex.cross.left() - l * apex.cross.right() + base_lift * mixed;
+        let bound = IN_CIRCLE_BOUND * (l * r + (l + r) * base_lift);
         if FILTERED && det > bound {
             false
         } else if FILTERED && det < -bound {
-            // The sentinel of infinity is a far, but finite point.
-            vertex != self.sheet.infinite()
+            true
         } else {
-            exact_in_circle(self.sheet, self.left, self.right, apex.vertex, vertex)
+            let [l, r] = apex.vertices;
+            exact_in_circle(self.sheet, self.left, self.right, l, r)
         }
     }
 
-    /// The candidate `vertex`, unless it does not lie above the base.
+    /// The next vertices up both hulls, after deleting the edges that their circles forbid.
     #[inline(always)]
-    fn above(&self, vertex: u32, origin: Point, base: Arm) -> Option<Candidate> {
-        let arm = Arm::new(self.sheet.point(vertex), origin);
-        let cross = base.cross(arm);
-        cross
-            .is_positive::<FILTERED>(|| exact_is_left(self.sheet, self.left, self.right, vertex))
-            .then(|| Candidate {
-                vertex,
-                arm,
-                lift: arm.lift(),
-                cross: cross.value(),
-            })
-    }
+    fn candidates(&self, origin: Point, base: [f64; 2], base_lift: f64) -> Candidates {
+        let sheet = self.sheet;
+        let [ox, oy] = [Pair::both(origin.x), Pair::both(origin.y)];
+        let [bx, by, bl] = [
+            Pair::both(base[0]),
+            Pair::both(base[1]),
+            Pair::both(base_lift),
+        ];
+        loop {
+            let vertices = [
+                sheet.corner(self.left_ghost + 1),
+                sheet.corner(self.right_ghost + 2),
+            ];
+            let inner = [sheet.twin(self.left_ghost), sheet.twin(self.right_ghost)];
+            let behind = inner.map(|h| sheet.corner(h));
 
-    #[inline(always)]
-    fn candidate(&self, vertex: u32, origin: Point, base: Arm) -> Candidate {
-        let arm = Arm::new(self.sheet.point(vertex), origin);
-        Candidate {
-            vertex,
-            arm,
-            lift: arm.lift(),
-            cross: base.cross(arm).value(),
+            let [l, r] = vertices.map(|v| sheet.point(v));
+            let (x, y) = (Pair::new(l.x, r.x) - ox, Pair::new(l.y, r.y) - oy);
+            let (plus, minus) = (bx * y, by * x);
+            let cross = plus - minus;
+            let doubt = Pair::both(ORIENT2D_BOUND) * (plus.abs() + minus.abs());
+            let mut valid = cross.exceeds(doubt);
+            let unsure = !cross.abs().exceeds(doubt) & self.sides;
+            valid &= self.sides;
+
+            let [l, r] = behind.map(|v| sheet.point(v));
+            let (qx, qy) = (Pair::new(l.x, r.x) - ox, Pair::new(l.y, r.y) - oy);
+            let lift = x * x + y * y;
+            let q_lift = qx * qx + qy * qy;
+            let det = lift * (bx * qy - by * qx) - q_lift * cross - bl * (x * qy - y * qx);
+            let doubt = Pair::both(IN_CIRCLE_BOUND) * (q_lift * (lift + bl) + lift * bl);
+            let mut inside = det.exceeds(doubt);
+            let mut in_doubt = !det.abs().exceeds(doubt);
+            if !FILTERED || unsure != 0 {
+                valid = exact_valid(
+                    sheet,
+                    [self.left, self.right],
+                    vertices,
+                    if FILTERED { unsure } else { self.sides },
+                    valid,
+                );
+            }
+            if !FILTERED {
+                in_doubt = LEFT | RIGHT;
+            }
+            inside &= valid;
+            in_doubt &= valid;
+            if in_doubt != 0 {
+                inside = exact_inside(
+                    sheet,
+                    [self.left, self.right],
+                    vertices,
+                    behind,
+                    in_doubt,
+                    inside,
+                );
+            }
+            if inside != 0 {
+                // The sentinel of infinity is a far, but finite point.
+                if inside & LEFT != 0 && behind[0] != sheet.infinite() {
+                    self.delete_left(inner[0], vertices[0], behind[0]);
+                } else {
+                    inside &= !LEFT;
+                }
+                if inside & RIGHT != 0 && behind[1] != sheet.infinite() {
+                    self.delete_right(inner[1], vertices[1], behind[1]);
+                } else {
+                    inside &= !RIGHT;
+                }
+            }
+            if inside == 0 {
+                return Candidates {
+                    vertices,
+                    x,
+                    y,
+                    lift,
+                    cross,
+                    valid,
+                };
+            }
         }
     }
 
-    /// The next vertex up the left hull, after deleting the edges that its circle forbids.
+    /// Deletes the edge left → apex: its triangle becomes the ghost of behind → apex.
     #[inline(always)]
-    fn left_candidate(&self, origin: Point, base: Arm, base_lift: f64) -> Option<Candidate> {
-        if self.left_ghost == NONE {
-            return None;
-        }
+    fn delete_left(&self, inner: u32, apex: u32, behind: u32) {
         let (sheet, ghost) = (self.sheet, self.left_ghost);
-        let mut apex = self.above(sheet.corner(ghost + 1), origin, base)?;
-        loop {
-            let inner = sheet.twin(ghost);
-            let behind = self.candidate(sheet.corner(inner), origin, base);
-            if !self.is_inside(
-                base,
-                base_lift,
-                apex,
-                behind.vertex,
-                behind.arm,
-                behind.lift,
-                behind.cross,
-            ) {
-                return Some(apex);
-            }
-            // left → apex is deleted; its triangle becomes the ghost of behind → apex.
-            let (face, next, prev) = around(inner);
-            let (outer, deeper, after) =
-                (sheet.twin(next), sheet.twin(prev), sheet.twin(ghost + 2));
-            sheet.set_ghost(face, behind.vertex, apex.vertex);
-            sheet.bond(face, outer);
-            sheet.bond(face + 2, after);
-            sheet.bond(face + 1, ghost + 2);
-            sheet.set_corner(ghost + 1, behind.vertex);
-            sheet.bond(ghost, deeper);
-            apex = behind;
-        }
+        let (face, next, prev) = around(inner);
+        let (outer, deeper, after) = (sheet.twin(next), sheet.twin(prev), sheet.twin(ghost + 2));
+        sheet.set_ghost(face, behind, apex);
+        sheet.bond(face, outer);
+        sheet.bond(face + 2, after);
+        sheet.bond(face + 1, ghost + 2);
+        sheet.set_corner(ghost + 1, behind);
+        sheet.bond(ghost, deeper);
     }
 
-    /// The next vertex up the right hull, after deleting the edges that its circle forbids.
+    /// Deletes the edge apex → right: its triangle becomes the ghost of apex → behind.
     #[inline(always)]
-    fn right_candidate(&self, origin: Point, base: Arm, base_lift: f64) -> Option<Candidate> {
-        if self.right_ghost == NONE {
-            return None;
-        }
+    fn delete_right(&self, inner: u32, apex: u32, behind: u32) {
         let (sheet, ghost) = (self.sheet, self.right_ghost);
-        let mut apex = self.above(sheet.corner(ghost + 2), origin, base)?;
-        loop {
-            let inner = sheet.twin(ghost);
-            let behind = self.candidate(sheet.corner(inner), origin, base);
-            if !self.is_inside(
-                base,
-                base_lift,
-                apex,
-                behind.vertex,
-                behind.arm,
-                behind.lift,
-                behind.cross,
-            ) {
-                return Some(apex);
-            }
-            // apex → right is deleted; its triangle becomes the ghost of apex → behind.
-            let (face, next, prev) = around(inner);
-            let (deeper, outer, before) =
-                (sheet.twin(next), sheet.twin(prev), sheet.twin(ghost + 1));
-            sheet.set_ghost(face, apex.vertex, behind.vertex);
-            sheet.bond(face, outer);
-            sheet.bond(face + 1, before);
-            sheet.bond(face + 2, ghost + 1);
-            sheet.set_corner(ghost + 2, behind.vertex);
-            sheet.bond(ghost, deeper);
-            apex = behind;
-        }
+        let (face, next, prev) = around(inner);
+        let (deeper, outer, before) = (sheet.twin(next), sheet.twin(prev), sheet.twin(ghost + 1));
+        sheet.set_ghost(face, apex, behind);
+        sheet.bond(face, outer);
+        sheet.bond(face + 1, before);
+        sheet.bond(face + 2, ghost + 1);
+        sheet.set_corner(ghost + 2, behind);
+        sheet.bond(ghost, deeper);
     }
 
     /// Turns the left ghost into the triangle (right, apex, left).
@@ -415,6 +433,38 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         self.right_ghost = sheet.twin(ghost + 1) - 2;
         self.right = apex;
     }
+}
+
+/// Replaces the bits of `valid` named by `unsure` by exact ones.
+#[cold]
+#[inline(never)]
+fn exact_valid(sheet: Sheet, base: [u32; 2], vertices: [u32; 2], unsure: u32, valid: u32) -> u32 {
+    exact_bits(unsure, valid, |side| {
+        exact_is_left(sheet, base[0], base[1], vertices[side])
+    })
+}
+
+/// Replaces the bits of `inside` named by `unsure` by exact ones.
+#[cold]
+#[inline(never)]
+fn exact_inside(
+    sheet: Sheet,
+    base: [u32; 2],
+    vertices: [u32; 2],
+    behind: [u32; 2],
+    unsure: u32,
+    inside: u32,
+) -> u32 {
+    exact_bits(unsure, inside, |side| {
+        exact_in_circle(sheet, base[0], base[1], vertices[side], behind[side])
+    })
+}
+
+fn exact_bits(unsure: u32, bits: u32, exact: impl Fn(usize) -> bool) -> u32 {
+    (0..2).fold(bits, |bits, side| match unsure >> side & 1 {
+        0 => bits,
+        _ => bits & !(1 << side) | u32::from(exact(side)) << side,
+    })
 }
 
 /// The handle of the face that owns half-edge `h`, and the half-edges after and before `h`.

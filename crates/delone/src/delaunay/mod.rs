@@ -14,8 +14,10 @@ mod frame;
 mod group;
 mod input;
 mod knit;
+mod leaf;
 mod memory;
 mod order;
+mod pair;
 mod parallel;
 mod sheet;
 

@@ -111,6 +111,14 @@ impl Sheet {
         }
     }
 
+    /// Writes one half-edge of a template.
+    #[inline(always)]
+    pub fn set_half_edge(self, h: u32, corner: u32, twin: u32) {
+        self.set_corner(h, corner);
+        // SAFETY: h was checked by `set_corner`, and is in the caller's slice.
+        unsafe { *self.twins.add(h as usize) = twin }
+    }
+
     /// Writes the corners of the face at handle `t`.
     #[inline(always)]
     pub fn set_face(self, t: u32, corners: [u32; 3]) {
