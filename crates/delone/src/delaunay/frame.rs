@@ -135,3 +135,77 @@ fn factors(extent: f64, bits: i32) -> [f64; 2] {
     let cells = power_of_two(bits) - 1.0;
     [first, cells / (extent * first)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LADDER: [f64; 12] = [
+        -f64::MAX,
+        -1.0,
+        -1e-300,
+        -5e-324,
+        0.0,
+        5e-324,
+        1e-323,
+        2e-308,
+        0.1,
+        1.0,
+        1.0 + f64::EPSILON,
+        f64::MAX,
+    ];
+
+    #[test]
+    fn exponents_of_normal_and_subnormal_numbers() {
+        for e in -1022..1024 {
+            assert_eq!(exponent(power_of_two(e)), e);
+        }
+        assert_eq!(exponent(5e-324), -1074);
+        assert_eq!(exponent(1.5e-323), -1073);
+    }
+
+    /// Splitting must come to an end: the extremes of a box never share a cell, however small or
+    /// large it is.
+    #[test]
+    fn the_corners_of_any_box_get_different_keys() {
+        for (i, &a) in LADDER.iter().enumerate() {
+            for &b in &LADDER[i + 1..] {
+                for bits in [18, 27, 32] {
+                    for (min, max) in [([a, 0.0], [b, 0.0]), ([0.0, a], [0.0, b]), ([a, a], [b, b])]
+                    {
+                        let frame = Frame::new(min, max, bits);
+                        let [low, high] = [min, max].map(|p| frame.key(Point::from(p)));
+                        assert_eq!(low, 0);
+                        assert!(high > 0 && u64::from(high) < 1 << bits, "{min:?} {max:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_highest_differing_bit_tells_an_axis_that_separates() {
+        for (width, height) in [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e300, 1e-300)] {
+            let frame = Frame::new([0.0, 0.0], [width, height], 32);
+            let points: Vec<Point> = (0..40)
+                .map(|i| {
+                    Point::new(
+                        width * f64::from(i * 37 % 41) / 41.0,
+                        height * f64::from(i) / 40.0,
+                    )
+                })
+                .collect();
+            for p in &points {
+                for q in &points {
+                    let (a, b) = (frame.key(*p), frame.key(*q));
+                    if a < b {
+                        match frame.axis((a ^ b).ilog2()) {
+                            Axis::X => assert!(p.x < q.x),
+                            Axis::Y => assert!(p.y < q.y),
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

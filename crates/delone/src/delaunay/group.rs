@@ -62,3 +62,43 @@ pub(super) fn sort_in_own_box(points: &mut [Point], keys: &mut [u64]) -> Option<
     }
     Some(frame)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn group(coordinates: &[(f64, f64)]) -> (Vec<Point>, Vec<u64>) {
+        let points = coordinates.iter().map(|&c| Point::from(c)).collect();
+        let keys = (0..coordinates.len() as u64)
+            .map(|i| 77 << 32 | i)
+            .collect();
+        (points, keys)
+    }
+
+    #[test]
+    fn equal_points_merge_into_the_lowest_index() {
+        let (mut points, mut keys) =
+            group(&[(1.0, 2.0), (0.0, 0.0), (1.0, 2.0), (0.0, 0.0), (1.0, 2.0)]);
+        sort_few(&mut points, &mut keys);
+        assert_eq!(merge_equal(&mut points, &mut keys), 2);
+        assert_eq!(points[..2], [Point::new(0.0, 0.0), Point::new(1.0, 2.0)]);
+        assert_eq!([keys[0] & INDEX, keys[1] & INDEX], [1, 0]);
+        let mut merged: Vec<_> = keys[2..].iter().map(|k| (k & INDEX, k >> 32)).collect();
+        merged.sort_unstable();
+        assert_eq!(merged, [(2, 0), (3, 1), (4, 0)]);
+        assert!(points[2..].iter().all(|p| p.x.is_nan()));
+    }
+
+    #[test]
+    fn a_box_of_its_own_tells_close_points_apart() {
+        let close: Vec<_> = (0..40)
+            .map(|i| (1.0 + f64::from(i * 7 % 40) * f64::EPSILON, 1.0))
+            .collect();
+        let (mut points, mut keys) = group(&close);
+        assert!(sort_in_own_box(&mut points, &mut keys).is_some());
+        assert!(points.is_sorted_by(|p, q| p.x < q.x));
+        assert!(keys.is_sorted_by_key(|k| k >> 32));
+        let (mut points, mut keys) = group(&[(3.0, 4.0); 20]);
+        assert!(sort_in_own_box(&mut points, &mut keys).is_none());
+    }
+}

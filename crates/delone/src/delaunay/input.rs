@@ -102,3 +102,47 @@ pub(super) fn first_not_finite(points: &[Point]) -> Option<Error> {
     let Point { x, y } = points[index];
     Some(Error::NotFinite { index, x, y })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn class(values: [f64; 2]) -> Class {
+        Extent::of(&[Point::new(values[0], values[1])]).class()
+    }
+
+    #[test]
+    fn classes() {
+        let scale = |e| Class::Ordinary { scale: e };
+        assert_eq!(class([0.0, -0.0]), scale(0));
+        assert_eq!(class([1.0, -1e60]), scale(0));
+        assert_eq!(class([1e300, 1e290]), scale(249 - 996));
+        assert_eq!(class([5e-324, 0.0]), scale(249 + 1074));
+        assert_eq!(class([1e-300, 1.0]), Class::Wide);
+        assert_eq!(class([1e300, 1.0]), Class::Wide);
+    }
+
+    #[test]
+    fn scaling_is_exact_both_ways() {
+        for (value, scale) in [(5e-324, 249 + 1074), (f64::MAX, 249 - 1023), (3.0, 0)] {
+            let [a, b] = scale_factors(scale);
+            let scaled: f64 = value * a * b;
+            assert!((ORDINARY_MIN..=ORDINARY_MAX).contains(&scaled));
+            let [a, b] = scale_factors(-scale);
+            assert_eq!(scaled * a * b, value);
+        }
+    }
+
+    #[test]
+    fn the_first_point_that_is_not_finite_is_named() {
+        let points = [(0.0, 1.0), (2.0, f64::NAN), (f64::INFINITY, 0.0)].map(Point::from);
+        assert!(!Extent::of(&points).is_finite());
+        let Some(Error::NotFinite { index, x, y }) = first_not_finite(&points) else {
+            panic!("an error");
+        };
+        assert!(index == 1 && x == 2.0 && y.is_nan());
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!Extent::of(&[Point::new(0.0, value)]).is_finite());
+        }
+    }
+}

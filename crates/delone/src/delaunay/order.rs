@@ -112,7 +112,6 @@ fn pass(
     let to = Places(to.as_mut_ptr());
     let jobs = from.chunks(chunk).zip(counts).collect();
     let finished = workers.map(jobs, |(keys, mut places): (&[u64], [u32; BUCKETS])| {
-        let to = to;
         for block in keys.chunks(BLOCK) {
             if watch.is_cancelled() {
                 return None;
@@ -121,7 +120,7 @@ fn pass(
                 let place = &mut places[digit(key)];
                 // SAFETY: the counts of all chunks and buckets cover 0..n once, and this chunk
                 // has exactly as many keys of this digit as it has places.
-                unsafe { *to.0.add(*place as usize) = key };
+                unsafe { to.put(*place as usize, key) };
                 *place += 1;
             }
         }
@@ -137,6 +136,16 @@ struct Places(*mut u64);
 unsafe impl Send for Places {}
 // SAFETY: as for Send.
 unsafe impl Sync for Places {}
+
+impl Places {
+    /// # Safety
+    /// `place` must be inside the target, and no other thread may write it.
+    #[inline(always)]
+    unsafe fn put(self, place: usize, key: u64) {
+        // SAFETY: as promised by the caller.
+        unsafe { *self.0.add(place) = key }
+    }
+}
 
 /// Collects the points in the order of the keys.
 fn gather(
@@ -174,9 +183,77 @@ fn gather(
 /// How many bits of key order `n` points: enough that few points share a cell.
 pub(super) fn key_bits(n: usize) -> u32 {
     match n {
-        0..=FEW => 32,
-        0..0x2000 => 2 * DIGIT,
+        0x401..0x2000 => 2 * DIGIT,
         0x2000..0x100_0000 => 3 * DIGIT,
         _ => 32,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::delaunay::input::Extent;
+    use crate::delaunay::parallel::with_workers;
+
+    fn scattered(n: u32) -> Vec<Point> {
+        let mix = |i: u32| f64::from(i.wrapping_mul(2_654_435_761) % 1009);
+        (0..n)
+            .map(|i| Point::new(mix(i), mix(i ^ 0x5555)))
+            .collect()
+    }
+
+    fn ordered(points: &[Point], threads: usize) -> Ordered {
+        let extent = Extent::of(points);
+        let bits = key_bits(points.len());
+        let frame = Frame::new(extent.min, extent.max, bits);
+        with_workers(Some(threads), |workers| {
+            order(points, &frame, bits, 0, workers, &())
+        })
+        .unwrap()
+        .unwrap()
+    }
+
+    #[test]
+    fn keys_come_sorted_and_stable_with_their_points() {
+        for n in [1, 7, 1000, 1025, 9000, 50_000] {
+            let points = scattered(n);
+            let Ordered {
+                points: sorted,
+                keys,
+            } = ordered(&points, 1);
+            assert!(
+                keys.is_sorted(),
+                "{n}: equal keys stay in the order of their indices"
+            );
+            for (p, key) in sorted.iter().zip(&keys[..n as usize]) {
+                assert_eq!(*p, points[*key as u32 as usize]);
+            }
+        }
+    }
+
+    #[test]
+    fn threads_do_not_change_the_order() {
+        let points = scattered(100_000);
+        assert_eq!(ordered(&points, 1).keys, ordered(&points, 3).keys);
+    }
+
+    #[test]
+    fn negative_zero_becomes_zero() {
+        let sorted = ordered(&[Point::new(-0.0, 1.0)], 1).points;
+        assert!(sorted[0].x.is_sign_positive());
+    }
+
+    struct Impatient;
+    impl Watch for Impatient {
+        fn is_cancelled(&self) -> bool {
+            true
+        }
+    }
+
+    #[test]
+    fn a_watch_can_cancel() {
+        let points = scattered(5000);
+        let result = crate::Delaunay::new().watch(&Impatient).triangulate(points);
+        assert_eq!(result.unwrap_err(), crate::Error::Cancelled);
     }
 }
