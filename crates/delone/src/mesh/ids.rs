@@ -92,7 +92,7 @@ impl HalfEdgeId {
     /// Returns the half-edge before this one, counter-clockwise in its triangle.
     #[inline]
     pub const fn prev(self) -> Self {
-        Self(if self.0 % 3 == 0 {
+        Self(if self.0.is_multiple_of(3) {
             self.0 + 2
         } else {
             self.0 - 1
