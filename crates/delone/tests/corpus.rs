@@ -2,21 +2,20 @@
 //! rotated or scaled; and by name the inputs on which other systems broke.
 
 use delone::check::{self, Certificate};
-use delone::{Point, Triangulation, VertexId, triangulate};
+use delone::{Duplicate, Point, Triangulation, VertexId, triangulate};
 use delone_testkit::corpus;
 use std::collections::HashMap;
-use std::path::PathBuf;
+use std::fs;
+use std::path::Path;
 
 /// Beyond this many points the extreme scalings, which need wide arithmetic, take too long here.
 const FEW: usize = 3000;
 
-fn corpus_root() -> Option<PathBuf> {
-    let root = corpus::root();
-    if root.is_none() {
-        eprintln!("skipped: no shared corpus; set DELONE_SHARED to the folder that holds data/");
-    }
-    root
-}
+/// The few files of the corpus that are part of the repository.
+const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
+
+/// The golden results of the fixtures: name, then vertices, duplicates, triangles, hull edges, hash.
+const GOLDEN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden.txt");
 
 /// Triangulates, verifies, and compares what the result says of itself with what was verified.
 fn verified(name: &str, points: &[Point]) -> (Triangulation, Certificate) {
@@ -92,15 +91,23 @@ fn scaled(points: &[Point], exponent: i32) -> Option<Vec<Point>> {
         .then(|| points.iter().map(times).collect())
 }
 
-/// Calls `test` for every file, with a generator of its own.
+/// Calls `test` for every fixture, and for every file of the shared corpus if it is there, with a
+/// generator of its own.
 fn for_each_file(mut test: impl FnMut(corpus::Entry, Random)) {
-    let Some(root) = corpus_root() else { return };
     let mut files = 0;
-    for entry in corpus::read_all(&root) {
-        files += 1;
-        test(entry, Random(files));
+    let mut test_all = |root: &Path| {
+        for entry in corpus::read_all(root) {
+            files += 1;
+            test(entry, Random(files));
+        }
+    };
+    test_all(Path::new(FIXTURES));
+    if let Some(shared) = corpus::root() {
+        test_all(&shared);
+        assert!(files > 150, "only {files} files with points");
+    } else {
+        eprintln!("fixtures only: set DELONE_SHARED to the folder that holds the shared data/");
     }
-    assert!(files > 150, "only {files} files with points");
 }
 
 #[test]
@@ -149,41 +156,57 @@ fn every_file_keeps_its_triangles_when_scaled() {
     );
 }
 
-/// An input on which another system broke, as it stands in `data/nasty`.
-fn nasty(file: &str) -> Option<(Triangulation, Certificate)> {
-    let name = format!("nasty/{file}");
-    let entry = corpus::read(&corpus_root()?, &name)?;
-    Some(verified(&name, &entry.points))
+fn golden_line(entry: &corpus::Entry) -> String {
+    let (_, c) = verified(&entry.name, &entry.points);
+    let counts = [c.vertices, c.duplicates, c.triangles, c.hull_edges];
+    let [vertices, duplicates, triangles, hull_edges] = counts;
+    let name = &entry.name;
+    format!(
+        "{name} {vertices} {duplicates} {triangles} {hull_edges} {}\n",
+        c.hash
+    )
 }
 
-/// Expected numbers of vertices, duplicates, triangles and hull edges, found by hand or with
-/// rational arithmetic.
+/// Run with `DELONE_BLESS=1` to write the file anew, and read the difference.
+#[test]
+fn fixtures_have_their_golden_hashes() {
+    let found: String = corpus::read_all(Path::new(FIXTURES))
+        .map(|e| golden_line(&e))
+        .collect();
+    if std::env::var_os("DELONE_BLESS").is_some() {
+        fs::write(GOLDEN, &found).expect("a writable golden file");
+    }
+    let expected = fs::read_to_string(GOLDEN).expect("the golden file");
+    assert_eq!(found, expected);
+}
+
+// Inputs on which other systems broke, by name.
+
+fn nasty(file: &str) -> (Triangulation, Certificate) {
+    let name = format!("nasty/{file}");
+    let entry = corpus::read(Path::new(FIXTURES), &name).expect("a file with points");
+    verified(&name, &entry.points)
+}
+
+/// Expects numbers of vertices, duplicates, triangles and hull edges.
 fn assert_nasty(file: &str, expected: [usize; 4]) {
-    let Some((_, found)) = nasty(file) else {
-        return;
-    };
-    let counts = [
-        found.vertices,
-        found.duplicates,
-        found.triangles,
-        found.hull_edges,
-    ];
+    let (_, c) = nasty(file);
+    let found = [c.vertices, c.duplicates, c.triangles, c.hull_edges];
     assert_eq!(
-        counts, expected,
+        found, expected,
         "{file}: vertices, duplicates, triangles, hull edges"
     );
 }
 
 #[test]
 fn delaunator_rs_8_reports_the_duplicate() {
-    let Some((t, certificate)) = nasty("delaunator-rs-8-oob.node") else {
-        return;
-    };
+    let (t, certificate) = nasty("delaunator-rs-8-oob.node");
     assert_eq!((certificate.points, certificate.vertices), (14, 13));
-    let [duplicate] = t.duplicates() else {
-        panic!("{:?}", t.duplicates())
+    let expected = Duplicate {
+        dropped: 13.into(),
+        kept: 0.into(),
     };
-    assert_eq!((duplicate.kept, duplicate.dropped), (0.into(), 13.into()));
+    assert_eq!(t.duplicates(), [expected]);
 }
 
 #[test]
@@ -202,6 +225,42 @@ fn adaptivepredicates_4_gives_one_triangle() {
 }
 
 #[test]
+fn robust_48a_takes_the_diagonal_of_the_exact_sign() {
+    // The fourth point lies outside the circle of the others, by -8.01e-30 in the determinant.
+    let (t, _) = nasty("robust-48a-nearcocircular.node");
+    let expected = [[0, 1, 2], [0, 2, 3]].map(|t| t.map(VertexId::from));
+    assert_eq!(sorted_triangles(&t), expected);
+}
+
+#[test]
 fn spade_146_gives_one_triangle() {
     assert_nasty("spade-146-three-points.node", [3, 0, 1, 3]);
+}
+
+#[test]
+fn spade_53_keeps_the_collinear_hull_vertex() {
+    assert_nasty("spade-53-int-overflow.node", [4, 0, 2, 4]);
+}
+
+#[test]
+fn delaunator_24_keeps_the_collinear_column() {
+    let (t, _) = nasty("delaunator-24-collinear-column.node");
+    assert_eq!(t.num_vertices(), 10);
+}
+
+#[test]
+fn delaunator_11_keeps_its_twins() {
+    let (t, _) = nasty("delaunator-11-halfedges.node");
+    let mesh = t.mesh();
+    assert!(
+        mesh.half_edges()
+            .all(|h| mesh.twin(mesh.twin(h)) == h && mesh.twin(h) != h)
+    );
+}
+
+#[test]
+fn earcut_177_and_129b_merge_where_rings_touch() {
+    let duplicates = |file| nasty(file).1.duplicates;
+    assert_eq!(duplicates("earcut-177-touching-holes.poly"), 1);
+    assert_eq!(duplicates("earcut-129b-touching-holes.poly"), 2);
 }
