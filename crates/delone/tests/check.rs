@@ -462,6 +462,25 @@ fn accepts_exactly_the_canonical_set() {
     assert!(right > 100 && wrong > 1000, "{right} right, {wrong} wrong");
 }
 
+#[test]
+fn finds_a_single_mistake_among_many_triangles() {
+    let mut random = Random(3);
+    let points: Vec<Point> = (0..3000).map(|_| random.lattice_point(1000)).collect();
+    let t = delone::triangulate(points.iter().copied()).unwrap();
+    let right: Vec<Triangle> = t.triangles().iter().map(|t| t.map(VertexId::raw)).collect();
+    for _ in 0..100 {
+        let mut triangles = right.clone();
+        let t = random.below(triangles.len());
+        match random.below(3) {
+            0 => drop(triangles.swap_remove(t)),
+            1 => triangles[t][random.below(3)] = random.below(points.len()) as u32,
+            _ => flip(&mut triangles, t, random.below(3)),
+        }
+        let is_same = triangles == right;
+        assert_eq!(verify(&points, &triangles).is_ok(), is_same, "triangle {t}");
+    }
+}
+
 fn mutate(points: &mut [Point], triangles: &mut Vec<Triangle>, random: &mut Random) {
     if triangles.is_empty() {
         return;

@@ -110,8 +110,8 @@ fn code_of(source: &str) -> String {
         code.push_str(before);
         rest = if special.starts_with("//") {
             &special[special.find('\n').unwrap_or(special.len())..]
-        } else if special.starts_with('"') {
-            after_string(&special[1..])
+        } else if let Some(content) = special.strip_prefix('"') {
+            after_string(content)
         } else {
             // A quote as a character opens no string.
             let length = if special.starts_with("'\"'") { 3 } else { 1 };

@@ -46,7 +46,9 @@ pub use defect::{Corner, Defect, Defects};
 pub use quality::{Quality, Shape, quality};
 
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
-use crate::{Error, HalfEdgeId, Point, TriangleId, VertexId, Watch, hash_triangles};
+use crate::{
+    Error, HalfEdgeId, Point, TriangleId, TriangulationHash, VertexId, Watch, hash_triangles,
+};
 use adjacency::Adjacency;
 use pace::Pace;
 
@@ -96,7 +98,9 @@ pub fn verify(
 
 /// Estimates the steps of a verification without defects.
 fn work(points: &[Point], triangles: &[[VertexId; 3]]) -> u64 {
-    2 * points.len() as u64 + (2 + adjacency::STEPS_PER_TRIANGLE + 3 + 3) * triangles.len() as u64
+    // Corners, orientations, points and hash; edges and boundary go by half-edges.
+    let per_triangle = 4 + 3 * 2 + adjacency::STEPS_PER_TRIANGLE;
+    2 * points.len() as u64 + per_triangle * triangles.len() as u64
 }
 
 fn require_points(points: &[Point], pace: &mut Pace) -> Result<(), Error> {
@@ -136,7 +140,7 @@ impl Verifier<'_> {
         }
         let vertices = positions::count_distinct(self.points, &mut self.pace)?;
         let edges = vertices.saturating_sub(1);
-        Ok(self.certify(vertices, edges, edges))
+        self.certify(vertices, edges, edges)
     }
 
     /// Verifies a set with triangles.
@@ -155,7 +159,7 @@ impl Verifier<'_> {
         if self.defects.is_empty() {
             let vertices = used.iter().filter(|&&u| u).count();
             let edges = (3 * triangles.len() + hull_edges) / 2;
-            return Ok(self.certify(vertices, edges, hull_edges));
+            return self.certify(vertices, edges, hull_edges);
         }
         self.explain(&adjacency, &used)?;
         Ok(Verdict::Wrong(self.defects))
@@ -217,8 +221,11 @@ impl Verifier<'_> {
     /// Tells for every point whether it is a corner.
     fn check_points(&mut self) -> Result<Vec<bool>, Error> {
         let mut used = vec![false; self.points.len()];
-        for v in self.triangles.as_flattened() {
-            used[v.index()] = true;
+        for corners in self.triangles {
+            self.pace.step()?;
+            for v in corners {
+                used[v.index()] = true;
+            }
         }
         for v in positions::find_missing(self.points, &used, &mut self.pace)? {
             let corner = self.corner(v);
@@ -270,18 +277,34 @@ impl Verifier<'_> {
         stars::check(self.points, adjacency, &mut self.pace, &mut self.defects)
     }
 
-    fn certify(mut self, vertices: usize, edges: usize, hull_edges: usize) -> Verdict {
+    fn certify(
+        mut self,
+        vertices: usize,
+        edges: usize,
+        hull_edges: usize,
+    ) -> Result<Verdict, Error> {
+        let hash = self.hash()?;
         self.pace.finish();
-        let corners = |t: &[VertexId; 3]| t.map(|v| self.points[v.index()]);
-        Verdict::Right(Certificate {
+        Ok(Verdict::Right(Certificate {
             points: self.points.len(),
             vertices,
             duplicates: self.points.len() - vertices,
             triangles: self.triangles.len(),
             edges,
             hull_edges,
-            hash: hash_triangles(self.triangles.iter().map(corners)),
-        })
+            hash,
+        }))
+    }
+
+    /// Hashes triangle by triangle, so that it can be cancelled.
+    fn hash(&mut self) -> Result<TriangulationHash, Error> {
+        let mut sum = 0u128;
+        for corners in self.triangles {
+            self.pace.step()?;
+            let triangle = corners.map(|v| self.points[v.index()]);
+            sum = sum.wrapping_add(hash_triangles([triangle]).0);
+        }
+        Ok(TriangulationHash(sum))
     }
 
     fn corner(&self, vertex: VertexId) -> Corner {
