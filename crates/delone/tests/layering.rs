@@ -54,6 +54,7 @@ const FOREIGN: &[(&str, &[&str])] = &[
     ("num_bigint", &["predicates"]),
     ("xxhash_rust", &["hash"]),
     ("rayon", &["delaunay"]),
+    ("libc", &["delaunay"]),
     ("thiserror", &["error", "check"]),
 ];
 
@@ -73,8 +74,9 @@ const FORBIDDEN: &[&str] = &[
 const CRATES: &[(&str, &[&str])] = &[
     ("delone", &[]),
     ("delone-io", &["delone"]),
-    ("delone-cli", &["delone", "delone-io"]),
-    ("delone-bench", &["delone", "delone-io", "delone-testkit"]),
+    ("delone-samples", &[]),
+    ("delone-cli", &["delone", "delone-io", "delone-samples"]),
+    ("delone-bench", &["delone", "delone-io", "delone-samples"]),
     ("delone-testkit", &["delone"]),
 ];
 
