@@ -1,1 +1,3 @@
 //! Oracles and data that only tests use.
+
+pub mod corpus;
