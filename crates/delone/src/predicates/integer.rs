@@ -126,11 +126,16 @@ struct Nearest {
 impl Lattice {
     /// Makes the lattice on which numbers up to `largest` are multiples below 2³⁰.
     ///
-    /// `None` near the ends of the exponent range (zero and infinity included), where an anchor
-    /// might not be a normal number.
+    /// `None` near the ends of the exponent range (infinity included), where an anchor might not be
+    /// a normal number.
     #[inline(always)]
     fn for_largest(largest: f64) -> Option<Self> {
-        let exponent = largest.to_bits() >> 52;
+        let is_zero = largest == 0.0;
+        let exponent = if is_zero {
+            1023
+        } else {
+            largest.to_bits() >> 52
+        };
         (64..=2000)
             .contains(&exponent)
             .then(|| Self::anchored(exponent + 52 - 29))
