@@ -1,8 +1,8 @@
 //! Stage 3: big integers; decides every finite input, subnormals and 1e±300 mixtures included.
 //!
-//! Coordinates are scaled by the power of two that makes all of them integers. *Cost*: about a
-//! microsecond where exponents are close; at worst, the full exponent range, integers of 2,100 bits
-//! and ten times as much.
+//! Coordinates are scaled by the power of two that makes all of them integers. *Cost*: 0.2
+//! (orient2d) to 0.8 µs (in_circle) where exponents are close, most of it allocations; at worst, over
+//! the full exponent range, coordinates of 2,100 bits.
 
 use super::polynomial::{cross, dot, in_circle_terms};
 use crate::Point;

@@ -5,9 +5,8 @@
 //! [integers](integer) for whatever is near a tie, and [big integers](exact) for the rest. Ties on
 //! a circle are broken by the [symbolic perturbation](perturbation).
 //!
-//! *Cost*: about 1 ns where the filter decides, 10 to 30 ns in fixed integers, about a
-//! microsecond and some allocations in big integers (`cargo run --release --example
-//! predicate_cost` measures).
+//! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
+//! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
 //!
 //! *Assumes* finite coordinates; a NaN or an infinity gives some answer, never undefined
 //! behaviour. −0.0 counts as 0.0. *Does not* know ids, meshes or tolerances.
