@@ -65,37 +65,30 @@ impl<const K: usize> Vectors<K> {
     fn new(points: [Point; K], origin: Point) -> Option<Self> {
         let heads = points.map(|p| [p.x - origin.x, p.y - origin.y]);
         let coarse = Lattice::for_largest(largest_magnitude(&heads))?;
-        let mut high = [[0; 2]; K];
-        let mut rest = [[0.0; 2]; K];
-        let mut tails = [[0.0; 2]; K];
-        let mut narrow = true;
-        for i in 0..K {
-            let [p, o] = [[points[i].x, points[i].y], [origin.x, origin.y]];
-            for j in 0..2 {
-                let near = coarse.nearest(heads[i][j]);
-                high[i][j] = near.multiple;
-                rest[i][j] = heads[i][j] - near.value;
-                tails[i][j] = tail(p[j], o[j], heads[i][j]);
-                narrow &= (rest[i][j] == 0.0) & (tails[i][j] == 0.0);
-            }
-        }
+        let parts: [[Parts; 2]; K] = std::array::from_fn(|i| {
+            let (p, [x, y]) = (points[i], heads[i]);
+            [
+                Parts::new(coarse, x, tail(p.x, origin.x, x)),
+                Parts::new(coarse, y, tail(p.y, origin.y, y)),
+            ]
+        });
+        // Bitwise `&` instead of `all`: one branch, not one for each coordinate.
+        let narrow = parts
+            .as_flattened()
+            .iter()
+            .fold(true, |all, part| all & part.is_coarse());
         if narrow {
+            let coordinates = parts.map(|v| v.map(|part| part.high));
             return Some(Self {
-                coordinates: high,
+                coordinates,
                 narrow,
             });
         }
         let fine = coarse.refined();
         let mut fits = true;
-        for i in 0..K {
-            for j in 0..2 {
-                let [low, last] = [rest[i][j], tails[i][j]].map(|x| (fine.nearest(x), x));
-                fits &= (low.0.value == low.1) & (last.0.value == last.1);
-                high[i][j] = (high[i][j] << REFINEMENT) + low.0.multiple + last.0.multiple;
-            }
-        }
+        let coordinates = parts.map(|v| v.map(|part| part.refine(fine, &mut fits)));
         fits.then_some(Self {
-            coordinates: high,
+            coordinates,
             narrow,
         })
     }
@@ -104,6 +97,39 @@ impl<const K: usize> Vectors<K> {
     #[inline(always)]
     fn wide(&self) -> [[i128; 2]; K] {
         self.coordinates.map(|v| v.map(i128::from))
+    }
+}
+
+/// An exact difference: a multiple of the coarse lattice's spacing and two small remainders.
+struct Parts {
+    high: i64,
+    rest: f64,
+    tail: f64,
+}
+
+impl Parts {
+    #[inline(always)]
+    fn new(coarse: Lattice, head: f64, tail: f64) -> Self {
+        let nearest = coarse.nearest(head);
+        Self {
+            high: nearest.multiple,
+            rest: head - nearest.value,
+            tail,
+        }
+    }
+
+    /// Tells whether the difference lies on the coarse lattice.
+    #[inline(always)]
+    fn is_coarse(&self) -> bool {
+        (self.rest == 0.0) & (self.tail == 0.0)
+    }
+
+    /// Returns the multiple of the fine lattice's spacing, and clears `fits` if there is none.
+    #[inline(always)]
+    fn refine(&self, fine: Lattice, fits: &mut bool) -> i64 {
+        let [rest, tail] = [self.rest, self.tail].map(|x| fine.nearest(x));
+        *fits &= (rest.value == self.rest) & (tail.value == self.tail);
+        (self.high << REFINEMENT) + rest.multiple + tail.multiple
     }
 }
 

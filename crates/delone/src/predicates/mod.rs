@@ -1,9 +1,9 @@
 //! The signs on which all topology rests: exact for every finite `f64`.
 //!
 //! Each predicate is the sign of a polynomial in the coordinates, found in up to three
-//! [stages](stage): a floating-point [filter] with a proven error bound, fixed-width
-//! [integers](integer) for whatever is near a tie, and [big integers](exact) for the rest. Ties on
-//! a circle are broken by the [symbolic perturbation](perturbation).
+//! [stages](stage): a floating-point filter with a proven error bound (`filter.rs`), fixed-width
+//! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
+//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`).
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
