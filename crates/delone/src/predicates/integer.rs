@@ -238,3 +238,34 @@ fn sign_of_sum(products: [[i128; 2]; 3]) -> Ordering {
 fn split(x: i128) -> (i64, u64) {
     ((x >> 64) as i64, x as u64)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+
+    /// All carries and borrows, on factors around powers of two up to the largest allowed.
+    #[test]
+    fn sign_of_sum_agrees_with_big_integers() {
+        let factors: Vec<i128> = [0, 1, 63, 64, 65, 122, 123]
+            .iter()
+            .flat_map(|&bits| {
+                let power = 1_i128 << bits;
+                let inner = (power - 1).max(1);
+                [power, -power, inner, -inner]
+            })
+            .collect();
+        let products: Vec<[i128; 2]> = factors
+            .iter()
+            .flat_map(|&a| factors.iter().map(move |&b| [a, b]))
+            .collect();
+        let zero = BigInt::ZERO;
+        for (i, &p) in products.iter().enumerate() {
+            for (j, &q) in products.iter().enumerate() {
+                let r = products[(i * 31 + j * 17) % products.len()];
+                let sum: BigInt = [p, q, r].map(|[a, b]| BigInt::from(a) * b).iter().sum();
+                assert_eq!(sign_of_sum([p, q, r]), sum.cmp(&zero), "{p:?} {q:?} {r:?}");
+            }
+        }
+    }
+}

@@ -160,8 +160,9 @@ fn thales(random: &mut Random) -> [Point; 4] {
     random.pick(&[[a, b, seen, centre], [centre, a, b, seen]])
 }
 
+/// Subnormal numbers, also next to the smallest normal ones.
 fn subnormal(random: &mut Random) -> [Point; 4] {
-    let size = random.pick(&[2, 9, 1 << 20, 1 << 51]);
+    let size = random.pick(&[2, 9, 1 << 20, 1 << 53]);
     let mut c = || random.within(-size, size) as f64 * 5e-324;
     four(|| (c(), c()))
 }

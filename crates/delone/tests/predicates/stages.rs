@@ -114,6 +114,20 @@ fn extremes_need_big_integers() {
     );
 }
 
+/// Subnormal numbers continue the normal ones without a step.
+#[test]
+fn the_smallest_normal_number_is_no_step() {
+    let unit = |n: i64| n as f64 * 5e-324;
+    let border = 1 << 52;
+    assert_eq!(unit(border), f64::MIN_POSITIVE);
+    let line = [(-1, 0), (0, 1), (1, 2)].map(|(x, y)| (unit(border + x), unit(y)));
+    let [a, b, c] = points(line);
+    assert_eq!(
+        orient2d(a, b, c),
+        (Orientation::Collinear, Stage::BigInteger)
+    );
+}
+
 #[test]
 fn negative_zero_is_zero() {
     let [a, b, c, d] = points([(-0.0, 0.0), (1.0, -0.0), (1.0, 1.0), (0.0, 1.0)]);
