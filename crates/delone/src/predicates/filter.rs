@@ -1,0 +1,115 @@
+//! Stage 1: plain `f64` arithmetic with an error bound; decides, or says that it cannot.
+//!
+//! Every function returns the sign of its polynomial, or `None` when the computed value is within
+//! its error bound of zero. It never returns `Equal`, and never a wrong sign for finite input.
+//!
+//! # Why the bounds hold
+//!
+//! Let u = 2⁻⁵³. An operation without under- or overflow returns x with exact value x(1 + δ),
+//! |δ| ≤ u; sums and differences of `f64` obey this even among subnormals. A product that underflows
+//! errs by at most η = 2⁻¹⁰⁷⁵ on top.
+//!
+//! *Overflow* makes the bound infinite or NaN (each bound contains, in absolute value, everything
+//! that the determinant sums up), no comparison with it is true, and the filter declines.
+//!
+//! *Underflow* would be silent. The two-vector predicates compare with `bound + FLOOR`: rounding is
+//! monotone, so whoever passes has |det| > [`FLOOR`], hence a magnitude of at least `FLOOR`/2, and
+//! the slack that each constant leaves (≥ 3u² of the magnitude, 2⁻¹⁰⁶⁶) is larger than the at most
+//! four η that products contribute. The in-circle filter requires lifts above [`LIFT_FLOOR`]
+//! instead; see [`in_circle`].
+
+use crate::Point;
+use std::cmp::Ordering;
+
+/// Bounds the error of orientation and dot product, relative to |l| + |r| for products l and r.
+///
+/// Each product has three roundings (two differences, one product), so the exact det is l − r up to
+/// ((1 + u)³ − 1)(|l| + |r|). The last subtraction cannot change the sign, but it rounds, as do the
+/// sum |l| + |r| and its product with the bound: 3u + 12u² + O(u³) suffices. The constant is
+/// Shewchuk's `ccwerrboundA` (3 + 16u)u.
+pub(crate) const ORIENT2D_BOUND: f64 = 3.3306690738754716e-16;
+
+/// Bounds the error of the in-circle determinant, relative to S = al·bl + bl·cl + cl·al.
+///
+/// Let al, bl, cl be the squared lengths of a, b, c relative to the fourth point and
+/// X = bx·cy − by·cx the cross product that belongs to al. Roundings that reach the term al·X: in al
+/// four (differences, squares, sum), in X four, relative to |bx·cy| + |by·cx|, one in their product,
+/// one in the first of the two sums of terms; the last sum cannot change the sign. By Cauchy
+/// |bx·cy| + |by·cx| ≤ √(bl·cl), so the term errs by at most 10u·al·√(bl·cl), and by the inequality
+/// of arithmetic and geometric means al·√(bl·cl) = √(al·bl)·√(al·cl) ≤ (al·bl + al·cl)/2. Over the
+/// three terms that adds up to 10u·S = 1.1103e-15·S; terms of order u², the roundings of S and of
+/// its product with the bound included, are far below the rest of the constant.
+pub(crate) const IN_CIRCLE_BOUND: f64 = 1.12e-15;
+
+/// Bounds the error of the difference of two squared lengths, relative to their sum: four roundings
+/// each (difference, square, sum), 4u = 4.441e-16, and 20u² for what follows.
+const DISTANCE_BOUND: f64 = 4.5e-16;
+
+/// 2⁻⁹⁶⁰: determinants of two vectors below this are not trusted.
+const FLOOR: f64 = f64::from_bits((1023 - 960) << 52);
+
+/// 2⁻⁴⁰⁰: squared lengths below this are not trusted in the in-circle determinant.
+const LIFT_FLOOR: f64 = f64::from_bits((1023 - 400) << 52);
+
+/// Finds the sign of the cross product of `a − c` and `b − c`.
+#[inline(always)]
+pub(super) fn orient2d(a: Point, b: Point, c: Point) -> Option<Ordering> {
+    let l = (a.x - c.x) * (b.y - c.y);
+    let r = (a.y - c.y) * (b.x - c.x);
+    certain(l - r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the in-circle determinant, positive if `d` is inside the counter-clockwise
+/// `abc`.
+///
+/// Underflow: with every lift above 2⁻⁴⁰⁰ a square that underflows changes its lift by less than
+/// 2⁻⁶⁰⁰ of it; a product in a cross product errs by η, which times al is less than 2⁻⁶⁰⁰ of
+/// al·bl ≤ S; S itself exceeds 2⁻⁸⁰⁰, so that its products do not underflow, and dwarfs the η of the
+/// last three products. All this together is below u²·S, within the slack of the constant.
+#[inline(always)]
+pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Ordering> {
+    let [ax, ay] = [a.x - d.x, a.y - d.y];
+    let [bx, by] = [b.x - d.x, b.y - d.y];
+    let [cx, cy] = [c.x - d.x, c.y - d.y];
+    let al = ax * ax + ay * ay;
+    let bl = bx * bx + by * by;
+    let cl = cx * cx + cy * cy;
+    let det = al * (bx * cy - by * cx) + bl * (cx * ay - cy * ax) + cl * (ax * by - ay * bx);
+    let bound = IN_CIRCLE_BOUND * (al * bl + bl * cl + cl * al);
+    if al > LIFT_FLOOR && bl > LIFT_FLOOR && cl > LIFT_FLOOR {
+        certain(det, bound)
+    } else {
+        None
+    }
+}
+
+/// Compares the squared lengths of `a − p` and `b − p`.
+#[inline(always)]
+pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
+    let square = |q: Point| {
+        let [x, y] = [q.x - p.x, q.y - p.y];
+        x * x + y * y
+    };
+    let [al, bl] = [square(a), square(b)];
+    certain(al - bl, DISTANCE_BOUND * (al + bl) + FLOOR)
+}
+
+/// Finds the sign of the dot product of `a − p` and `b − p`.
+#[inline(always)]
+pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
+    let l = (a.x - p.x) * (b.x - p.x);
+    let r = (a.y - p.y) * (b.y - p.y);
+    certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Reads the sign of `value` if it is farther from zero than `bound`.
+#[inline(always)]
+fn certain(value: f64, bound: f64) -> Option<Ordering> {
+    if value > bound {
+        Some(Ordering::Greater)
+    } else if value < -bound {
+        Some(Ordering::Less)
+    } else {
+        None
+    }
+}
