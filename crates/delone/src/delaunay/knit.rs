@@ -112,7 +112,9 @@ pub(super) fn is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32
     let origin = sheet.point(a);
     let [bx, by] = arm(sheet.point(b), origin);
     let [cx, cy] = arm(sheet.point(c), origin);
-    is_positive::<FILTERED>(bx * cy, by * cx, || exact_is_left(sheet, a, b, c))
+    is_positive::<FILTERED>(bx * cy, by * cx, || {
+        exact_is_left::<FILTERED>(sheet, a, b, c)
+    })
 }
 
 /// Tells whether `d` lies inside the perturbed circle through `a`, `b`, `c`, counter-clockwise.
@@ -135,26 +137,37 @@ pub(super) fn is_inside<const FILTERED: bool>(
     } else if FILTERED && det < -bound {
         false
     } else {
-        exact_in_circle(sheet, a, b, c, d)
+        exact_in_circle::<FILTERED>(sheet, a, b, c, d)
     }
 }
 
+/// The sign that the filter here left open. Coordinates of the wide class have not been filtered at
+/// all: the public predicates guard their own filter.
 #[cold]
 #[inline(never)]
-fn exact_is_left(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
+fn exact_is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
     let [a, b, c] = [a, b, c].map(|v| sheet.point(v));
-    predicates::orient2d_exact(a, b, c) == Orientation::Left
+    let side = if FILTERED {
+        predicates::orient2d_exact(a, b, c)
+    } else {
+        predicates::orient2d(a, b, c)
+    };
+    side == Orientation::Left
 }
 
 /// Whether `d` lies inside the perturbed circle through `a`, `b`, `c`; infinity lies outside.
 #[cold]
 #[inline(never)]
-fn exact_in_circle(sheet: Sheet, a: u32, b: u32, c: u32, d: u32) -> bool {
+fn exact_in_circle<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32, d: u32) -> bool {
     if d == sheet.infinite() {
         return false;
     }
     let [a, b, c, d] = [a, b, c, d].map(|v| sheet.point(v));
-    predicates::in_circle_perturbed_exact(a, b, c, d)
+    if FILTERED {
+        predicates::in_circle_perturbed_exact(a, b, c, d)
+    } else {
+        predicates::in_circle_perturbed(a, b, c, d)
+    }
 }
 
 /// The vector from `origin` to `p`, rounded.
@@ -295,7 +308,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
             true
         } else {
             let [l, r] = apex.vertices;
-            exact_in_circle(self.sheet, self.left, self.right, l, r)
+            exact_in_circle::<FILTERED>(self.sheet, self.left, self.right, l, r)
         }
     }
 
@@ -335,7 +348,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
             let mut inside = det.exceeds(doubt);
             let mut in_doubt = !det.abs().exceeds(doubt);
             if !FILTERED || unsure != 0 {
-                valid = exact_valid(
+                valid = exact_valid::<FILTERED>(
                     sheet,
                     [self.left, self.right],
                     vertices,
@@ -349,7 +362,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
             inside &= valid;
             in_doubt &= valid;
             if in_doubt != 0 {
-                inside = exact_inside(
+                inside = exact_inside::<FILTERED>(
                     sheet,
                     [self.left, self.right],
                     vertices,
@@ -438,16 +451,22 @@ impl<const FILTERED: bool> Knit<FILTERED> {
 /// Replaces the bits of `valid` named by `unsure` by exact ones.
 #[cold]
 #[inline(never)]
-fn exact_valid(sheet: Sheet, base: [u32; 2], vertices: [u32; 2], unsure: u32, valid: u32) -> u32 {
+fn exact_valid<const FILTERED: bool>(
+    sheet: Sheet,
+    base: [u32; 2],
+    vertices: [u32; 2],
+    unsure: u32,
+    valid: u32,
+) -> u32 {
     exact_bits(unsure, valid, |side| {
-        exact_is_left(sheet, base[0], base[1], vertices[side])
+        exact_is_left::<FILTERED>(sheet, base[0], base[1], vertices[side])
     })
 }
 
 /// Replaces the bits of `inside` named by `unsure` by exact ones.
 #[cold]
 #[inline(never)]
-fn exact_inside(
+fn exact_inside<const FILTERED: bool>(
     sheet: Sheet,
     base: [u32; 2],
     vertices: [u32; 2],
@@ -456,7 +475,7 @@ fn exact_inside(
     inside: u32,
 ) -> u32 {
     exact_bits(unsure, inside, |side| {
-        exact_in_circle(sheet, base[0], base[1], vertices[side], behind[side])
+        exact_in_circle::<FILTERED>(sheet, base[0], base[1], vertices[side], behind[side])
     })
 }
 
