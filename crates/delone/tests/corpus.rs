@@ -15,7 +15,7 @@ const FEW: usize = 3000;
 const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
 
 /// The golden results of the fixtures: name, then vertices, duplicates, triangles, hull edges, hash.
-const GOLDEN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden.txt");
+const GOLDEN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/corpus-hashes.txt");
 
 /// Triangulates, verifies, and compares what the result says of itself with what was verified.
 fn verified(name: &str, points: &[Point]) -> (Triangulation, Certificate) {

@@ -51,6 +51,7 @@ use Rule::*;
 /// The rules by beginning and end of the name; the first that fits counts.
 const RULES: &[(&str, &str, Rule)] = &[
     ("README.md", "", Skip("describes the corpus")),
+    ("predicates/README.md", "", Skip("describes the fixtures")),
     (
         "nasty/parser/",
         "",
