@@ -1,1 +1,69 @@
-//! File formats.
+//! Files: reads point sets and meshes, writes meshes, draws them.
+//!
+//! One file per format, each with the functions it has: `read_points`, `read_mesh`, `write`. A
+//! further format is a further file, a [`Format`] variant, and a line in the dispatch of
+//! [`read_points`], [`read_mesh`] or [`write_mesh`].
+//!
+//! Readers take the whole file into memory (cost proportional to the file, never to a number that
+//! the file declares) and answer malformed input with an [`Error`] that names file and line.
+//! Writers fill temporary files and rename them only when all are complete. Every loop looks at the
+//! caller's [`Watch`](delone::Watch), some hundred times a second or more.
+//!
+//! | format | points | mesh | write |
+//! |---|---|---|---|
+//! | `.node`, `.ele` (Triangle) | read | read | both |
+//! | `.edge`, `.neigh` (Triangle) | | | mesh |
+//! | `.poly` (Triangle) | read, without segments | | as `.node` with its family |
+//! | `.npy` (NumPy) | read | read, with `.points.npy` | both |
+//! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | | points |
+//! | `.vtu` (VTK, ParaView) | read | read | both |
+//! | `.svg`, `.png` | | | both |
+//!
+//! ```
+//! use delone_io::{MeshView, ReadOptions, Source, Target, WriteOptions};
+//!
+//! # let folder = tempfile::tempdir()?;
+//! # std::env::set_current_dir(&folder)?;
+//! # std::fs::write("survey.csv", "x,y,height\n0,0,5\n1,0,6\n1,1,7\n0,1,8\n")?;
+//! let source = Source::from_arg("survey.csv");
+//! let set = delone_io::read_points(&source, &ReadOptions::default(), &())?;
+//! assert_eq!(set.attributes[0].name, "height");
+//!
+//! let triangulation = delone::triangulate(set.points.iter().copied())?;
+//! let mesh = MeshView::from(&triangulation).with_data(&set);
+//! let targets = ["survey.ele", "survey.png"].map(|name| Target::from_arg(name, None));
+//! let written = delone_io::write_mesh(&targets, &mesh, &WriteOptions::default(), &())?;
+//! assert_eq!(written.len(), 5); // survey.node, .ele, .edge, .neigh and .png
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod cancel;
+mod edge;
+mod ele;
+mod error;
+mod format;
+mod mesh;
+mod neigh;
+mod node;
+mod npy;
+mod picture;
+mod png;
+mod points;
+mod poly;
+mod scan;
+mod source;
+mod svg;
+mod table;
+mod target;
+mod topology;
+mod triangle_files;
+mod vtu;
+
+pub use error::{Error, Place, Problem};
+pub use format::Format;
+pub use mesh::{
+    MeshData, MeshView, PictureOptions, WriteOptions, read_mesh, write_mesh, write_points,
+};
+pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
+pub use source::Source;
+pub use target::Target;

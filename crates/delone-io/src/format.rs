@@ -1,0 +1,150 @@
+//! The formats, and how a file tells which one it is.
+
+use crate::{node, npy, table, vtu};
+use std::fmt;
+use std::path::Path;
+use std::str::FromStr;
+
+/// Bytes of the content that are looked at.
+const SNIFFED: usize = 4096;
+
+/// A file format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Triangle's `.node`: points with attributes and markers.
+    Node,
+    /// Triangle's `.ele`: triangles; goes with a `.node` of the same stem.
+    Ele,
+    /// Triangle's `.edge`: edges; goes with a `.node` of the same stem.
+    Edge,
+    /// Triangle's `.neigh`: neighbours of triangles; goes with an `.ele` of the same stem.
+    Neigh,
+    /// Triangle's `.poly`: points, segments, holes. Only its points are read as yet.
+    Poly,
+    /// NumPy's `.npy`: one array.
+    Npy,
+    /// Text table: CSV, TSV, XYZ, columns set apart by commas, semicolons, tabs or blanks.
+    Table,
+    /// VTK's unstructured grid in XML, for ParaView and its kin.
+    Vtu,
+    /// Picture of lines and areas.
+    Svg,
+    /// Picture of pixels.
+    Png,
+}
+
+impl Format {
+    /// Every format.
+    pub const ALL: [Self; 10] = [
+        Self::Node,
+        Self::Ele,
+        Self::Edge,
+        Self::Neigh,
+        Self::Poly,
+        Self::Npy,
+        Self::Table,
+        Self::Vtu,
+        Self::Svg,
+        Self::Png,
+    ];
+
+    /// Returns the name by which the format is asked for: `node`, `csv` …
+    pub const fn name(self) -> &'static str {
+        self.extensions()[0]
+    }
+
+    /// Returns the file name extensions that mean this format, without dot, lower case.
+    pub const fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Node => &["node"],
+            Self::Ele => &["ele"],
+            Self::Edge => &["edge"],
+            Self::Neigh => &["neigh"],
+            Self::Poly => &["poly"],
+            Self::Npy => &["npy"],
+            Self::Table => &["csv", "tsv", "txt", "xyz", "xy", "tab", "dat", "asc", "pts"],
+            Self::Vtu => &["vtu"],
+            Self::Svg => &["svg"],
+            Self::Png => &["png"],
+        }
+    }
+
+    /// Tells the format from the extension of a file name; case does not matter.
+    pub fn from_path(path: &Path) -> Option<Self> {
+        path.extension()?.to_str()?.parse().ok()
+    }
+
+    /// Tells the format from the first bytes of the content, as far as they betray it.
+    ///
+    /// Text that begins like a `.node` file (`n 2 attributes markers`, followed by rows numbered from
+    /// 0 or 1) is one; other text that holds numbers is a [`Table`](Self::Table).
+    pub fn sniff(head: &[u8]) -> Option<Self> {
+        if npy::sniff(head) {
+            return Some(Self::Npy);
+        }
+        let head = &head[..head.len().min(SNIFFED)];
+        if vtu::sniff(head) {
+            return Some(Self::Vtu);
+        }
+        if node::sniff(head) {
+            return Some(Self::Node);
+        }
+        table::sniff(head).then_some(Self::Table)
+    }
+
+    /// Lists the names of the formats that can do something, for messages.
+    pub(crate) fn names(can: fn(Self) -> bool) -> String {
+        let names: Vec<_> = Self::ALL
+            .into_iter()
+            .filter(|&f| can(f))
+            .map(Self::name)
+            .collect();
+        names.join(", ")
+    }
+
+    /// Tells whether [`read_points`](crate::read_points) understands the format.
+    pub const fn reads_points(self) -> bool {
+        !matches!(self, Self::Edge | Self::Neigh | Self::Svg | Self::Png)
+    }
+
+    /// Tells whether [`read_mesh`](crate::read_mesh) understands the format.
+    pub const fn reads_mesh(self) -> bool {
+        matches!(self, Self::Node | Self::Ele | Self::Npy | Self::Vtu)
+    }
+
+    /// Tells whether [`write_mesh`](crate::write_mesh) can write the format.
+    pub const fn writes_mesh(self) -> bool {
+        !matches!(self, Self::Table)
+    }
+
+    /// Tells whether [`write_points`](crate::write_points) can write the format.
+    pub const fn writes_points(self) -> bool {
+        !matches!(self, Self::Ele | Self::Edge | Self::Neigh | Self::Poly)
+    }
+
+    /// Tells whether the format is a picture.
+    pub const fn is_picture(self) -> bool {
+        matches!(self, Self::Svg | Self::Png)
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Format {
+    type Err = String;
+
+    /// Takes any of the extensions, with or without a dot, in any case.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wanted = text.trim_start_matches('.').to_ascii_lowercase();
+        let known = |f: &Self| f.extensions().contains(&wanted.as_str());
+        Self::ALL.into_iter().find(known).ok_or_else(|| {
+            let names = Self::ALL.map(Self::name).join(", ");
+            format!("unknown format {text:?}; known are {names}")
+        })
+    }
+}

@@ -1,0 +1,186 @@
+//! `.png`: a picture of pixels, written only.
+//!
+//! Areas are filled by exact coverage (see [`accumulate`](crate::picture::accumulate)), lines and
+//! dots drawn over them by `tiny-skia`, all anti-aliased.
+
+use crate::picture::accumulate::Accumulator;
+use crate::picture::glyphs::Stroke as GlyphStroke;
+use crate::picture::legend::Legend;
+use crate::picture::{CLASSES, Color, EdgeClass, INK, Scene, scale};
+use crate::target::Output;
+use crate::{Error, MeshView, PictureOptions};
+use delone::Watch;
+use std::io::Write;
+use tiny_skia::{
+    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
+    Stroke, Transform,
+};
+
+/// Edges or bare points drawn between two looks at the watch.
+const SHAPES_PER_POLL: usize = 2048;
+
+/// Draws a mesh.
+pub(crate) fn write(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    options: &PictureOptions,
+    watch: &dyn Watch,
+) -> Result<(), Error> {
+    let scene = Scene::new(out.file(), mesh, options, watch)?;
+    let mut page = draw(&scene)?;
+    if scene.legend {
+        draw_legend(&mut page, &Legend::new(&scene));
+    }
+    out.many_bytes(&encode(&page, &scene)?)
+}
+
+/// Packs the pixels.
+pub(crate) fn encode(page: &Pixmap, scene: &Scene<'_>) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, page.width(), page.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let broken = |e: &dyn std::fmt::Display| scene.error(e.to_string());
+    let mut writer = encoder.write_header().map_err(|e| broken(&e))?;
+    let mut rows = writer.stream_writer().map_err(|e| broken(&e))?;
+    let mut row = Vec::new();
+    for pixels in page.pixels().chunks(page.width() as usize) {
+        scene.check()?;
+        row.clear();
+        row.extend(pixels.iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
+        rows.write_all(&row).map_err(|e| broken(&e))?;
+    }
+    rows.finish().map_err(|e| broken(&e))?;
+    writer.finish().map_err(|e| broken(&e))?;
+    Ok(bytes)
+}
+
+/// Draws everything but the legend.
+pub(crate) fn draw(scene: &Scene<'_>) -> Result<Pixmap, Error> {
+    let mut page = draw_areas(scene)?;
+    for class in scene.edges()? {
+        draw_edges(&mut page, scene, &class)?;
+    }
+    if scene.num_triangles() > 0 {
+        draw_dots(&mut page, scene)?;
+    }
+    Ok(page)
+}
+
+/// Draws the triangles, or bare points: few or millions, at the same cost for each.
+fn draw_areas(scene: &Scene<'_>) -> Result<Pixmap, Error> {
+    let mut areas = Accumulator::new(scene.view.page);
+    let colors: Vec<_> = (0..CLASSES)
+        .map(|class| scale((class as f32 + 0.5) / CLASSES as f32))
+        .collect();
+    scene.each_triangle(|corners, class| areas.add(&corners, colors[class]))?;
+    if scene.num_triangles() == 0
+        && let Some((dots, radius)) = scene.dots()
+    {
+        for (i, dot) in dots.enumerate() {
+            if i.is_multiple_of(SHAPES_PER_POLL) {
+                scene.check()?;
+            }
+            areas.add(&disc(dot, radius), INK);
+        }
+    }
+    let [width, height] = scene.view.page.map(|v| v as u32);
+    let mut page = Pixmap::new(width, height).expect("bug: the page has a size");
+    let mut colors = areas.into_pixels();
+    for row in page.pixels_mut().chunks_mut(width as usize) {
+        scene.check()?;
+        for (pixel, color) in row.iter_mut().zip(&mut colors) {
+            let [r, g, b] = color.bytes();
+            *pixel = PremultipliedColorU8::from_rgba(r, g, b, u8::MAX).expect("bug: opaque");
+        }
+    }
+    Ok(page)
+}
+
+/// Returns a polygon that looks like a disc.
+fn disc([x, y]: [f32; 2], radius: f32) -> Vec<[f32; 2]> {
+    let corners = if radius < 1.5 { 6 } else { 20 };
+    let corner = |i| {
+        let (sin, cos) = (i as f32 / corners as f32 * std::f32::consts::TAU).sin_cos();
+        [x + radius * cos, y - radius * sin]
+    };
+    (0..corners).map(corner).collect()
+}
+
+fn draw_edges(page: &mut Pixmap, scene: &Scene<'_>, class: &EdgeClass) -> Result<(), Error> {
+    let paint = paint(INK, class.opacity);
+    let stroke = round_stroke(class.width);
+    for edges in class.edges.chunks(SHAPES_PER_POLL) {
+        scene.check()?;
+        let mut path = PathBuilder::with_capacity(2 * edges.len(), 2 * edges.len());
+        for &[[x0, y0], [x1, y1]] in edges {
+            path.move_to(x0, y0);
+            path.line_to(x1, y1);
+        }
+        stroke_path(page, path.finish(), &paint, &stroke);
+    }
+    Ok(())
+}
+
+fn draw_dots(page: &mut Pixmap, scene: &Scene<'_>) -> Result<(), Error> {
+    let Some((dots, radius)) = scene.dots() else {
+        return Ok(());
+    };
+    let paint = paint(INK, 1.0);
+    for [x, y] in dots {
+        scene.check()?;
+        if let Some(path) = PathBuilder::from_circle(x, y, radius) {
+            page.fill_path(
+                &path,
+                &paint,
+                FillRule::Winding,
+                Transform::identity(),
+                None,
+            );
+        }
+    }
+    Ok(())
+}
+
+fn draw_legend(page: &mut Pixmap, legend: &Legend) {
+    for &([x, y], [width, height], color) in &legend.bars {
+        // Bars without triangles have no width, hence are no rectangle.
+        if let Some(bar) = Rect::from_xywh(x, y, width, height) {
+            page.fill_rect(bar, &paint(color, 1.0), Transform::identity(), None);
+        }
+    }
+    let mut path = PathBuilder::new();
+    for stroke in &legend.strokes {
+        match *stroke {
+            GlyphStroke::Move([x, y]) => path.move_to(x, y),
+            GlyphStroke::Line([x, y]) => path.line_to(x, y),
+            GlyphStroke::Cubic([a, b, c]) => path.cubic_to(a[0], a[1], b[0], b[1], c[0], c[1]),
+        }
+    }
+    let stroke = round_stroke(legend.stroke_width);
+    stroke_path(page, path.finish(), &paint(INK, 1.0), &stroke);
+}
+
+fn stroke_path(page: &mut Pixmap, path: Option<Path>, paint: &Paint<'_>, stroke: &Stroke) {
+    // A path without extent is none; there is nothing to see of it.
+    if let Some(path) = path {
+        page.stroke_path(&path, paint, stroke, Transform::identity(), None);
+    }
+}
+
+fn paint(Color([r, g, b]): Color, opacity: f32) -> Paint<'static> {
+    let mut paint = Paint::default();
+    if let Some(color) = tiny_skia::Color::from_rgba(r, g, b, opacity) {
+        paint.set_color(color);
+    }
+    paint
+}
+
+fn round_stroke(width: f32) -> Stroke {
+    Stroke {
+        width,
+        line_cap: LineCap::Round,
+        line_join: LineJoin::Round,
+        ..Stroke::default()
+    }
+}

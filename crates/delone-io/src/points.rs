@@ -1,0 +1,157 @@
+//! Point sets as files hold them, and how they are read.
+
+use crate::{Error, Format, Source, node, npy, poly, table, vtu};
+use delone::{Point, Watch};
+use std::fmt;
+use std::str::FromStr;
+
+/// A column of numbers that came with the points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    /// Its name: from the file if it has names, otherwise `z`, `column4`, `attribute1` …
+    pub name: String,
+    /// One value for each point; NaN where the file has none.
+    pub values: Vec<f64>,
+}
+
+/// Points with what the file says about each.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointSet {
+    /// The points, in the order of the file; all coordinates are finite.
+    pub points: Vec<Point>,
+    /// Further columns of numbers.
+    pub attributes: Vec<Attribute>,
+    /// Boundary markers, if the file has them.
+    pub markers: Option<Vec<i32>>,
+    /// Number of the first point in the file, 0 or 1.
+    pub base: u32,
+    /// Columns that hold no numbers and were left out, by name.
+    pub left_out: Vec<String>,
+}
+
+/// A column of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// By place, from 0.
+    Index(usize),
+    /// By name in the header; case does not matter.
+    Name(String),
+}
+
+impl fmt::Display for Column {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Index(i) => write!(f, "{}", i + 1),
+            Self::Name(name) => write!(f, "{name:?}"),
+        }
+    }
+}
+
+impl FromStr for Column {
+    type Err = std::convert::Infallible;
+
+    /// Takes a positive number as a place counted from 1, as `cut` and `awk` do, anything else as
+    /// a name.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(match text.parse::<usize>() {
+            Ok(place) if place > 0 => Self::Index(place - 1),
+            _ => Self::Name(text.to_owned()),
+        })
+    }
+}
+
+/// How to read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// The format; `None` means by extension, then by content.
+    pub format: Option<Format>,
+    /// The columns of x and y in tables and arrays; `None` means by name (x and y, longitude and
+    /// latitude, easting and northing), then the first two that hold numbers.
+    pub columns: Option<[Column; 2]>,
+}
+
+/// Reads points with attributes and markers.
+///
+/// An `.ele` file stands for the `.node` file of the same stem.
+///
+/// # Errors
+/// If the file cannot be read, is malformed (message with file and line), or the watch cancels.
+///
+/// *Cost*: time and memory proportional to the file.
+pub fn read_points(
+    source: &Source,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<PointSet, Error> {
+    let bytes = source.load(watch)?;
+    let file = source.to_string();
+    match resolve(source, &bytes, options, Format::reads_points)? {
+        Format::Node => node::read_points(&file, &bytes, watch),
+        Format::Ele => read_sibling(source, Format::Ele, "node", options, watch),
+        Format::Poly => poly::read_points(&file, &bytes, watch, || {
+            read_sibling(source, Format::Poly, "node", options, watch)
+        }),
+        Format::Npy => npy::read_points(&file, &bytes, options.columns.as_ref(), watch),
+        Format::Vtu => vtu::read_mesh(&file, &bytes, watch).map(|mesh| mesh.vertices),
+        Format::Table => table::read_points(&file, &bytes, options.columns.as_ref(), watch),
+        format => Err(unsupported(source, format, "be read", Format::reads_points)),
+    }
+}
+
+/// Decides on the format: as asked for, by extension, by content.
+pub(crate) fn resolve(
+    source: &Source,
+    bytes: &[u8],
+    options: &ReadOptions,
+    wanted: fn(Format) -> bool,
+) -> Result<Format, Error> {
+    let by_name = || source.path().and_then(Format::from_path);
+    options
+        .format
+        .or_else(by_name)
+        .or_else(|| Format::sniff(bytes))
+        .ok_or_else(|| Error::UnknownFormat {
+            file: source.to_string(),
+            known: Format::names(wanted),
+        })
+}
+
+pub(crate) fn unsupported(
+    file: impl ToString,
+    format: Format,
+    action: &'static str,
+    wanted: fn(Format) -> bool,
+) -> Error {
+    Error::Unsupported {
+        file: file.to_string(),
+        format,
+        action,
+        instead: Format::names(wanted),
+    }
+}
+
+/// Reads the points that stand beside `source` in the file of the same stem with another
+/// `extension`.
+pub(crate) fn read_sibling(
+    source: &Source,
+    format: Format,
+    extension: &str,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<PointSet, Error> {
+    let Source::Path(path) = source else {
+        // Standard input and memory have no neighbours.
+        return Err(unsupported(
+            source,
+            format,
+            "be read without the files beside it",
+            |f| matches!(f, Format::Vtu | Format::Node),
+        ));
+    };
+    let sibling = Source::Path(path.with_extension(extension));
+    let options = ReadOptions {
+        format: None,
+        columns: options.columns.clone(),
+    };
+    read_points(&sibling, &options, watch)
+}

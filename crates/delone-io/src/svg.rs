@@ -1,0 +1,191 @@
+//! `.svg`: a picture of lines and areas, written only.
+//!
+//! Triangles are grouped by colour and edges by width, one path each, with coordinates to a tenth of
+//! a pixel: about 20 bytes a triangle. Beyond [`MAX_SHAPES`] triangles no viewer is quick any more,
+//! and the drawing goes in as an embedded image of pixels; the legend stays lines.
+
+use crate::picture::glyphs::Stroke;
+use crate::picture::legend::Legend;
+use crate::picture::{CLASSES, EdgeClass, INK, PAPER, Scene, scale};
+use crate::png;
+use crate::target::Output;
+use crate::{Error, MeshView, PictureOptions};
+use base64::prelude::{BASE64_STANDARD, Engine};
+use delone::Watch;
+use std::fmt::Write;
+
+/// Most triangles, or bare points, that are drawn one by one.
+const MAX_SHAPES: usize = 200_000;
+
+/// Draws a mesh.
+pub(crate) fn write(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    options: &PictureOptions,
+    watch: &dyn Watch,
+) -> Result<(), Error> {
+    let scene = Scene::new(out.file(), mesh, options, watch)?;
+    let [width, height] = scene.view.page;
+    let (n, m) = (mesh.points.len(), mesh.triangles.len());
+    out.text(format_args!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
+         <title>{m} triangles over {n} points</title>\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+        PAPER.hex()
+    ))?;
+    if m.max(n) > MAX_SHAPES {
+        write_image(out, &scene)?;
+    } else {
+        write_triangles(out, &scene)?;
+        for class in scene.edges()? {
+            write_edges(out, &class)?;
+        }
+        write_dots(out, &scene)?;
+    }
+    if scene.legend {
+        write_legend(out, &Legend::new(&scene))?;
+    }
+    out.text(format_args!("</svg>\n"))
+}
+
+fn write_image(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
+    let [width, height] = scene.view.page;
+    let image = BASE64_STANDARD.encode(png::encode(&png::draw(scene)?, scene)?);
+    out.text(format_args!(
+        "<image width=\"{width}\" height=\"{height}\" href=\"data:image/png;base64,"
+    ))?;
+    out.many_bytes(image.as_bytes())?;
+    out.text(format_args!("\"/>\n"))
+}
+
+fn write_triangles(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
+    let mut paths = vec![String::new(); CLASSES];
+    scene.each_triangle(|[a, b, c], class| {
+        let path = &mut paths[class];
+        push_move(path, a);
+        // Relative to the rounded corner before, so that rounding does not add up.
+        push_line(path, a, b);
+        push_line(path, b, c);
+        path.push('z');
+    })?;
+    // Viewers blend the two sides of an edge with the paper; a thin outline closes the seam.
+    let seam = 0.5 * scene.unit;
+    out.text(format_args!(
+        "<g stroke-width=\"{seam:.2}\" stroke-linejoin=\"round\">\n"
+    ))?;
+    for (class, path) in paths
+        .iter()
+        .enumerate()
+        .filter(|(_, path)| !path.is_empty())
+    {
+        let color = scale((class as f32 + 0.5) / CLASSES as f32).hex();
+        out.text(format_args!(
+            "<path fill=\"{color}\" stroke=\"{color}\" d=\""
+        ))?;
+        out.many_bytes(path.as_bytes())?;
+        out.text(format_args!("\"/>\n"))?;
+    }
+    out.text(format_args!("</g>\n"))
+}
+
+fn write_edges(out: &mut Output<'_>, class: &EdgeClass) -> Result<(), Error> {
+    if class.edges.is_empty() {
+        return Ok(());
+    }
+    out.text(format_args!(
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-opacity=\"{:.2}\" stroke-linecap=\"round\" d=\"",
+        INK.hex(),
+        class.width,
+        class.opacity
+    ))?;
+    let mut path = String::new();
+    for &[a, b] in &class.edges {
+        path.clear();
+        push_move(&mut path, a);
+        push_line(&mut path, a, b);
+        out.bytes(path.as_bytes())?;
+    }
+    out.text(format_args!("\"/>\n"))
+}
+
+/// A dot is a line without length and with a round cap: the shortest way to write many.
+fn write_dots(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
+    let Some((dots, radius)) = scene.dots() else {
+        return Ok(());
+    };
+    out.text(format_args!(
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" d=\"",
+        INK.hex(),
+        2.0 * radius
+    ))?;
+    let mut path = String::new();
+    for dot in dots {
+        path.clear();
+        push_move(&mut path, dot);
+        path.push_str("h0");
+        out.bytes(path.as_bytes())?;
+    }
+    out.text(format_args!("\"/>\n"))
+}
+
+fn write_legend(out: &mut Output<'_>, legend: &Legend) -> Result<(), Error> {
+    out.text(format_args!("<g shape-rendering=\"crispEdges\">\n"))?;
+    for ([x, y], [width, height], color) in &legend.bars {
+        out.text(format_args!(
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{}\"/>\n",
+            color.hex()
+        ))?;
+    }
+    out.text(format_args!(
+        "</g>\n<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"",
+        INK.hex(),
+        legend.stroke_width
+    ))?;
+    for stroke in &legend.strokes {
+        match stroke {
+            Stroke::Move([x, y]) => out.text(format_args!("M{x:.1} {y:.1}"))?,
+            Stroke::Line([x, y]) => out.text(format_args!("L{x:.1} {y:.1}"))?,
+            Stroke::Cubic([a, b, c]) => out.text(format_args!(
+                "C{:.1} {:.1} {:.1} {:.1} {:.1} {:.1}",
+                a[0], a[1], b[0], b[1], c[0], c[1]
+            ))?,
+        }
+    }
+    out.text(format_args!("\"/>\n"))
+}
+
+/// Rounds to tenths of a pixel, as an integer.
+fn tenths(v: f32) -> i32 {
+    (v * 10.0).round() as i32
+}
+
+fn push_move(path: &mut String, [x, y]: [f32; 2]) {
+    path.push('M');
+    push_tenths(path, tenths(x));
+    path.push(' ');
+    push_tenths(path, tenths(y));
+}
+
+fn push_line(path: &mut String, from: [f32; 2], to: [f32; 2]) {
+    let [dx, dy] = [0, 1].map(|k| tenths(to[k]) - tenths(from[k]));
+    path.push('l');
+    push_tenths(path, dx);
+    if dy >= 0 {
+        path.push(' ');
+    }
+    push_tenths(path, dy);
+}
+
+/// Writes a number of tenths as shortly as SVG allows: `-.5`, `12`, `3.4`.
+fn push_tenths(path: &mut String, tenths: i32) {
+    if tenths < 0 {
+        path.push('-');
+    }
+    let (whole, rest) = (tenths.unsigned_abs() / 10, tenths.unsigned_abs() % 10);
+    let written = match (whole, rest) {
+        (whole, 0) => write!(path, "{whole}"),
+        (0, rest) => write!(path, ".{rest}"),
+        _ => write!(path, "{whole}.{rest}"),
+    };
+    written.expect("bug: a string takes every character");
+}

@@ -1,0 +1,277 @@
+//! Malformed files: the error names file, line and culprit, and nothing panics or allocates much.
+
+use delone_io::{Error, Format, MeshData, PointSet, ReadOptions, Source, read_mesh, read_points};
+use proptest::prelude::*;
+use std::path::{Path, PathBuf};
+
+fn points_of(name: &str, bytes: &[u8]) -> Result<PointSet, Error> {
+    let source = Source::Memory {
+        name: name.to_owned(),
+        bytes: bytes.to_vec(),
+    };
+    read_points(&source, &ReadOptions::default(), &())
+}
+
+fn points_at(path: &Path) -> Result<PointSet, Error> {
+    read_points(&Source::Path(path.to_owned()), &ReadOptions::default(), &())
+}
+
+#[track_caller]
+fn assert_error<T: std::fmt::Debug>(outcome: Result<T, Error>, expected: &str) {
+    let message = outcome.expect_err(expected).to_string();
+    assert!(message.contains(expected), "{message:?} lacks {expected:?}");
+}
+
+/// Name of the file, content, what the error must say.
+const TABLE: &[(&str, &str, &str)] = &[
+    ("a.node", "", "a.node: the file is empty"),
+    ("a.node", "# only a comment\n", "the file is empty"),
+    (
+        "a.node",
+        "3 2 0 0\n0 0 0\n1 1 0\n",
+        "a.node:3: truncated: header says 3 points, file has 2",
+    ),
+    (
+        "a.node",
+        "1 2 0 0\n0 0 0\n1 1 0\n",
+        "a.node:3: header says 1 points, but more rows follow",
+    ),
+    (
+        "a.node",
+        "2 2 0 0\n0 0 0\n2 1 0\n",
+        "a.node:3: row is numbered \"2\", expected 1",
+    ),
+    (
+        "a.node",
+        "2 2 0 0\n7 0 0\n8 1 0\n",
+        "a.node:2: row is numbered \"7\"",
+    ),
+    (
+        "a.node",
+        "1 2 0 0\n1 zero 0\n",
+        "a.node:2: x is not a number: \"zero\"",
+    ),
+    (
+        "a.node",
+        "1 2 0 0\n1 0\n",
+        "a.node:2: expected 3 columns, found 2",
+    ),
+    (
+        "a.node",
+        "1 2 0 1\n1 0 0 x\n",
+        "a.node:2: marker is not a number",
+    ),
+    (
+        "a.node",
+        "1 2 0 7\n1 0 0 0\n",
+        "a.node:1: 7 markers a point",
+    ),
+    (
+        "a.node",
+        "1 2 99999999999 0\n1 0 0\n",
+        "expected 100000000002 columns, found 3",
+    ),
+    (
+        "a.node",
+        "99999999999999999999 2 0 0\n",
+        "count in the header is not a number",
+    ),
+    (
+        "a.node",
+        "1 2 0 0\n1 1e999 0\n",
+        "point 1: x is 1e999, coordinates must be finite",
+    ),
+    ("a.node", "1 2 0 0\n1 0 \u{fffd}\n", "y is not a number"),
+    (
+        "a.poly",
+        "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 3 4\n0\n",
+        "segment 1 names vertex 4 of 3 (numbered from 1)",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n9 0\n1 1 1\n",
+        "header says 9 segments, file has 1",
+    ),
+    ("a.csv", "", "a.csv: the file is empty"),
+    (
+        "a.csv",
+        "x,y\n1,2\n3,four\n",
+        "a.csv:3: y is not a number: \"four\"",
+    ),
+    ("a.csv", "1,2\n3\n", "a.csv:2: expected 2 columns, found 1"),
+    (
+        "a.csv",
+        "1,2\n3,4,5\n",
+        "a.csv:2: expected 2 columns, found 3",
+    ),
+    ("a.csv", "1,2\n3,nan\n", "a.csv:2: point 1: y is nan"),
+    ("a.csv", "1,2\n3,\n", "a.csv:2: y is not a number: \"\""),
+    ("a.csv", "0.l,2\n3,4\n", "a.csv:1: x is not a number"),
+    ("a.csv", "\"a,1\n", "quote without end"),
+    (
+        "a.xyz",
+        "1\n2\n",
+        "found 1 column: a table of points needs two",
+    ),
+    ("a.npy", "", "a.npy: the file is empty"),
+    ("a.npy", "\u{93}", "not an array"),
+    ("a.vtu", "", "no <Piece>"),
+    (
+        "a.vtu",
+        "<VTKFile type=\"PolyData\"/>",
+        "only UnstructuredGrid",
+    ),
+    (
+        "a.vtu",
+        "<VTKFile compressor=\"z\"/>",
+        "without compression",
+    ),
+    ("a.vtu", "<VTKFile><a></b>", "broken XML"),
+    ("a.ele", "1 3 0\n0 0 1 2\n", "without the files beside it"),
+    ("a.edge", "0 1\n", "format edge cannot be read"),
+    ("a.png", "", "format png cannot be read"),
+    ("noise", "hello world\n", "unknown format"),
+];
+
+#[test]
+fn every_malformed_text_says_what_is_wrong() {
+    for (name, content, expected) in TABLE {
+        assert_error(points_of(name, content.as_bytes()), expected);
+    }
+}
+
+#[test]
+fn files_of_known_parser_bugs_are_refused() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let cases = [
+        (
+            "huge-count.node",
+            "truncated: header says 4000000000 points, file has 1",
+        ),
+        ("neg-count.node", "-3 points: a count cannot be negative"),
+        ("bad-index.poly", "segment 1 names vertex 7 of 3"),
+        ("nan.node", "nan.node:3: point 1: x is nan"),
+        ("dim3.node", "dim3.node:1: dimension must be 2, not 3"),
+    ];
+    for (name, expected) in cases {
+        assert_error(points_at(&data.join(name)), expected);
+    }
+}
+
+#[test]
+fn every_shared_nasty_file_is_refused() {
+    let Some(folder) = shared("data/nasty/parser") else {
+        eprintln!("skipped: the shared data are absent (set DELONE_SHARED)");
+        return;
+    };
+    let files = std::fs::read_dir(folder).expect("folder");
+    for path in files.map(|entry| entry.expect("entry").path()) {
+        let error = points_at(&path).expect_err("a malformed file");
+        let name = path
+            .file_name()
+            .expect("name")
+            .to_string_lossy()
+            .into_owned();
+        assert!(error.to_string().contains(&name), "{error}");
+    }
+}
+
+/// Finds a folder of the shared data.
+fn shared(folder: &str) -> Option<PathBuf> {
+    let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared");
+    let root = std::env::var_os("DELONE_SHARED").map_or_else(beside, PathBuf::from);
+    let path = root.join(folder);
+    path.is_dir().then_some(path)
+}
+
+/// Reads bytes as every format; panics would be bugs.
+fn read_as_everything(bytes: &[u8]) {
+    for format in Format::ALL {
+        let options = ReadOptions {
+            format: Some(format),
+            ..ReadOptions::default()
+        };
+        let source = Source::Memory {
+            name: "noise".to_owned(),
+            bytes: bytes.to_vec(),
+        };
+        for points in [
+            read_points(&source, &options, &()).ok(),
+            read_mesh(&source, &options, &()).ok().map(checked),
+        ]
+        .into_iter()
+        .flatten()
+        {
+            assert!(points.points.iter().all(delone::Point::is_finite));
+            assert!(
+                points
+                    .attributes
+                    .iter()
+                    .all(|a| a.values.len() == points.points.len())
+            );
+        }
+    }
+    let _ = Format::sniff(bytes);
+}
+
+fn checked(mesh: MeshData) -> PointSet {
+    let n = mesh.vertices.points.len();
+    assert!(mesh.triangles.as_flattened().iter().all(|v| v.index() < n));
+    mesh.vertices
+}
+
+/// A small valid file of each format that is read.
+fn valid_files() -> Vec<Vec<u8>> {
+    let npy = |descr: &str, shape: &str, data: &[u8]| {
+        let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}\n");
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend((text.len() as u16).to_le_bytes());
+        bytes.extend(text.bytes());
+        bytes.extend(data);
+        bytes
+    };
+    let floats: Vec<u8> = (0..6).flat_map(|i| f64::from(i).to_le_bytes()).collect();
+    vec![
+        b"# c\n3 2 1 1\n1 0 0 .5 1\n2 1 0 .5 0\n3 0 1 .5 1\n".to_vec(),
+        b"3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n2 1\n0 0 1 5\n1 1 2 6\n0\n".to_vec(),
+        b"x,y,name,z\n1,2,\"a \"\"b\"\", c\",3\n4,5,d,\n".to_vec(),
+        b"1 2\t3 # c\r\n4 5 6\r\n".to_vec(),
+        npy("<f8", "(3, 2)", &floats),
+        npy(">i2", "(4, 3)", &floats[..24]),
+        include_bytes!("data/two-triangles.vtu").to_vec(),
+    ]
+}
+
+#[test]
+fn truncated_files_never_panic() {
+    for file in valid_files() {
+        for end in 0..file.len() {
+            read_as_everything(&file[..end]);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn noise_never_panics(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        read_as_everything(&bytes);
+    }
+
+    #[test]
+    fn noisy_numbers_never_panic(text in "([0-9#\\-.,;e\"x \t]|\n|nan|inf| 2 | 0 |\n0 |\n1 ){0,60}") {
+        read_as_everything(text.as_bytes());
+    }
+
+    #[test]
+    fn damaged_files_never_panic(
+        which in 0..7usize,
+        damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+    ) {
+        let mut file = valid_files().swap_remove(which);
+        for (place, byte) in damage {
+            let place = place.index(file.len());
+            file[place] = byte;
+        }
+        read_as_everything(&file);
+    }
+}

@@ -1,0 +1,100 @@
+//! Pictures: any mesh gives one, of the right size, and cancelling leaves nothing.
+
+use delone::{Point, triangulate};
+use delone_io::{Error, Format, MeshView, PictureOptions, Target, WriteOptions, write_mesh};
+use std::path::Path;
+
+fn options(size: u32) -> WriteOptions {
+    WriteOptions {
+        picture: PictureOptions {
+            size,
+            ..PictureOptions::default()
+        },
+        ..WriteOptions::default()
+    }
+}
+
+/// Draws a triangulation of points as PNG and SVG, and returns both.
+fn draw(points: &[(f64, f64)], size: u32) -> (Vec<u8>, String) {
+    let folder = tempfile::tempdir().expect("folder");
+    let t = triangulate(points.iter().copied().map(Point::from).collect::<Vec<_>>())
+        .expect("finite points");
+    let files = ["a.png", "a.svg"].map(|name| folder.path().join(name));
+    let targets = files.clone().map(|file| Target::from_arg(file, None));
+    write_mesh(&targets, &MeshView::from(&t), &options(size), &()).expect("pictures");
+    let read = |file: &Path| std::fs::read(file).expect("written");
+    (
+        read(&files[0]),
+        String::from_utf8(read(&files[1])).expect("text"),
+    )
+}
+
+/// Decodes a PNG to its size and its pixels.
+fn decode(png: &[u8]) -> ([u32; 2], Vec<[u8; 3]>) {
+    let mut reader = png::Decoder::new(png).read_info().expect("a picture");
+    let mut bytes = vec![0; reader.output_buffer_size()];
+    let info = reader.next_frame(&mut bytes).expect("pixels");
+    let pixels = bytes.as_chunks::<3>().0.to_vec();
+    ([info.width, info.height], pixels)
+}
+
+#[test]
+fn every_point_set_can_be_drawn() {
+    let huge = f64::MAX;
+    let sets: [&[(f64, f64)]; 9] = [
+        &[],
+        &[(1.0, 2.0)],
+        &[(1.0, 2.0), (1.0, 2.0)],
+        &[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)],
+        &[(0.0, 0.0), (0.0, 1e-300), (0.0, -3.0)],
+        &[(huge, huge), (-huge, huge), (0.0, -huge), (1e-300, 5e-324)],
+        &[(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324)],
+        &[
+            (500_000.1, 5_500_000.1),
+            (500_000.2, 5_500_000.1),
+            (500_000.1, 5_500_000.2),
+        ],
+        &[(0.0, 0.0), (1e300, 1e-300), (1e-300, 1e300)],
+    ];
+    for set in sets {
+        let (png, svg) = draw(set, 200);
+        let ([width, height], pixels) = decode(&png);
+        assert!(width.max(height) <= 201, "{width} x {height}");
+        let inked = pixels.iter().any(|&p| p != [255; 3]);
+        assert_eq!(inked, !set.is_empty(), "{set:?}");
+        assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    }
+}
+
+#[test]
+fn a_triangle_has_the_colour_of_its_angle_and_lies_where_it_should() {
+    // The right angle is at the lower left, y up.
+    let ([width, height], pixels) = decode(&draw(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)], 400).0);
+    let at = |x: f64, y: f64| {
+        pixels[((y * f64::from(height)) as u32 * width + (x * f64::from(width)) as u32) as usize]
+    };
+    let [r, g, b] = at(0.2, 0.7);
+    assert!(g > r && g > b, "45° is green, found {:?}", [r, g, b]);
+    assert_eq!(at(0.6, 0.2), [255; 3]);
+}
+
+#[test]
+fn svg_of_many_triangles_is_a_picture_of_pixels() {
+    let grid: Vec<_> = (0..120_000)
+        .map(|i| (f64::from(i % 400), f64::from(i / 400)))
+        .collect();
+    let (_, svg) = draw(&grid, 300);
+    assert!(svg.contains("data:image/png;base64,"));
+    assert!(svg.len() < 2_000_000, "{} bytes", svg.len());
+}
+
+#[test]
+fn sizes_out_of_range_are_refused() {
+    let t = triangulate([(0.0, 0.0)]).expect("finite points");
+    let folder = tempfile::tempdir().expect("folder");
+    let target = Target::from_arg(folder.path().join("picture"), Some(Format::Png));
+    let outcome = write_mesh(&[target], &MeshView::from(&t), &options(1 << 20), &());
+    assert!(matches!(outcome, Err(Error::Picture { .. })), "{outcome:?}");
+    assert_eq!(std::fs::read_dir(folder.path()).expect("folder").count(), 0);
+}
