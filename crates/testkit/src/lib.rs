@@ -1,3 +1,5 @@
 //! Oracles and data that only tests use.
 
 pub mod corpus;
+pub mod generate;
+pub mod naive;
