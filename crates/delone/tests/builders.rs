@@ -3,7 +3,7 @@
 
 use delone::delaunay::Incremental;
 use delone::predicates::{Orientation, orient2d};
-use delone::{Duplicate, Point, Triangulation, VertexId};
+use delone::{Delaunay, Duplicate, Error, Point, Triangulation, VertexId};
 use delone_testkit::generate::{Kind, Random, scaled};
 use delone_testkit::naive::{distinct, naive_delaunay, sorted_triangles};
 use proptest::prelude::*;
@@ -12,11 +12,20 @@ use std::collections::HashMap;
 type Builder = (&'static str, fn(&[Point]) -> Triangulation);
 
 const BUILDERS: &[Builder] = &[
+    ("divide and conquer", |points| bulk(points, 1)),
+    ("divide and conquer, 3 threads", |points| bulk(points, 3)),
     ("incremental", in_given_order),
     ("incremental, backwards", backwards),
     ("incremental, sorted", sorted),
     ("incremental, shuffled", shuffled),
 ];
+
+fn bulk(points: &[Point], threads: usize) -> Triangulation {
+    let result = Delaunay::new()
+        .threads(threads)
+        .triangulate(points.iter().copied());
+    result.expect("finite points")
+}
 
 fn in_given_order(points: &[Point]) -> Triangulation {
     let mut growing = Incremental::new();
