@@ -49,6 +49,44 @@ fn kind(random: &mut Random) -> Kind {
     }
 }
 
+/// Reads points from a fuzzer's bytes: the first says how the others are to be read.
+///
+/// A byte a coordinate on a lattice of 2 to 16 points a side, eight bytes a coordinate as raw bits
+/// (NaN and infinities too), or a byte a coordinate whose high half is a lattice coordinate and
+/// whose low half moves it in the last place.
+pub fn points_from_bytes(bytes: &[u8]) -> Vec<Point> {
+    let Some((&mode, rest)) = bytes.split_first() else {
+        return Vec::new();
+    };
+    let rest = &rest[..rest.len().min(MAX_BYTES)];
+    let from_pairs = |coordinate: &dyn Fn(u8) -> f64| {
+        let pairs = rest.chunks_exact(2);
+        pairs
+            .map(|pair| Point::new(coordinate(pair[0]), coordinate(pair[1])))
+            .collect()
+    };
+    match mode % 3 {
+        0 => {
+            let side = 2 + mode / 3 % 15;
+            from_pairs(&|byte| f64::from(byte % side))
+        }
+        1 => from_pairs(&|byte| {
+            let place = f64::from(1 + (byte >> 4));
+            f64::from_bits(place.to_bits() + u64::from(byte & 15))
+        }),
+        _ => rest.chunks_exact(16).map(point_from_bits).collect(),
+    }
+}
+
+/// The most bytes that [`points_from_bytes`] reads as coordinates.
+const MAX_BYTES: usize = 1024;
+
+fn point_from_bits(bytes: &[u8]) -> Point {
+    let (x, y) = bytes.split_at(8);
+    let coordinate = |b: &[u8]| f64::from_le_bytes(b.try_into().expect("eight bytes"));
+    Point::new(coordinate(x), coordinate(y))
+}
+
 /// Triangulates `points` and checks the result to the given depth; a panic is a failure too.
 ///
 /// # Errors
@@ -140,6 +178,20 @@ mod tests {
             assert!((1..=MAX_POINTS).contains(&points.len()));
             assert_eq!(check(&points, Depth::Naive(seed)), Ok(()), "{points:?}");
         }
+    }
+
+    #[test]
+    fn bytes_become_points_in_three_ways() {
+        assert!(points_from_bytes(&[]).is_empty());
+        let on_lattice = points_from_bytes(&[3 * 3, 4, 5, 6, 1, 9]);
+        assert_eq!(on_lattice, [(4.0, 0.0), (1.0, 1.0)].map(Point::from));
+        let nudged = points_from_bytes(&[1, 0x00, 0x31]);
+        assert_eq!(nudged, [Point::new(1.0, 4.0f64.next_up())]);
+        let mut raw = vec![2];
+        raw.extend([1e300f64, f64::NAN].map(f64::to_le_bytes).as_flattened());
+        let raw = points_from_bytes(&raw);
+        assert!(raw[0].x == 1e300 && raw[0].y.is_nan());
+        assert_eq!(check(&raw, Depth::Naive(0)), Ok(()));
     }
 
     #[test]
