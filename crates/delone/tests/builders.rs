@@ -268,12 +268,16 @@ fn scaling_by_powers_of_two_does_not_matter() {
 fn not_finite_is_refused_with_its_index() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let points = points([(0.0, 0.0), (1.0, 0.0), (2.0, bad), (bad, 0.0)]);
-        let error = Incremental::triangulate_in_order(&points, &[3, 2, 1, 0]);
-        let error = error.expect_err("not finite");
-        assert!(
-            matches!(error, delone::Error::NotFinite { index: 2, .. }),
-            "{error}"
-        );
+        for result in [
+            delone::triangulate(points.iter().copied()),
+            Incremental::triangulate_in_order(&points, &[3, 2, 1, 0]),
+        ] {
+            let error = result.expect_err("not finite");
+            assert!(
+                matches!(error, Error::NotFinite { index: 2, .. }),
+                "{error}"
+            );
+        }
     }
 }
 

@@ -109,7 +109,8 @@ impl Incremental {
     /// index; [`Error::TooManyPoints`] if ids would not fit 32 bits. The triangulation is then
     /// unchanged.
     ///
-    /// *Cost*: see the [module](self). *Ids*: vertices keep theirs, half-edges and faces do not.
+    /// *Cost*: the walk from the point inserted before, and one flip for every edge but three that
+    /// the new vertex ends up with. *Ids invalidated*: half-edges and faces; vertices keep theirs.
     pub fn insert(&mut self, point: Point) -> Result<Inserted, Error> {
         let index = self.points.len();
         check_finite(index, point)?;
