@@ -219,6 +219,20 @@ fn every_kind_larger() {
     }
 }
 
+/// Large enough for several tasks and deep recursion in the bulk builder.
+#[test]
+fn hashes_agree_on_large_sets() {
+    for kind in [Kind::Uniform, Kind::Lattice { side: 60 }, Kind::Clusters] {
+        let points = kind.points(5000, 2);
+        let hash = in_given_order(&points).hash();
+        for threads in [1, 2, 4, 7] {
+            let t = bulk(&points, threads);
+            t.mesh().validate().expect("a closed sphere");
+            assert_eq!(t.hash(), hash, "{kind:?} on {threads} threads");
+        }
+    }
+}
+
 #[test]
 fn grids() {
     for side in [4, 11] {

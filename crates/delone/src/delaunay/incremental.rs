@@ -4,10 +4,11 @@
 //! the oracle of the bulk builder: it shares no idea with divide and conquer, and yields the
 //! identical triangulation for every order of insertion.
 //!
-//! Ghosts make most cases disappear. A point outside the hull splits a ghost, a point off the line
-//! of collinear vertices does too, and legalising does the rest: a ghost on the hull edge ab is in
-//! conflict with p if p lies strictly outside ab, or on the line strictly between a and b. Only two
-//! things are done by hand: the first two points, and a point beyond the end of a row.
+//! Ghosts make most cases disappear. A ghost on the hull edge ab is in conflict with p if p lies
+//! strictly outside ab, or on the line strictly between a and b. The second means that p splits the
+//! edge; so does any point on an edge. By the first, a point outside the hull splits a ghost, also
+//! one off the line of collinear vertices, and legalising does the rest. Only two things are done
+//! by hand: the first two points, and a point beyond the end of a row.
 //!
 //! Cost: an insertion costs its walk (see [`locate`](crate::locate::locate)) and one flip for every
 //! edge but three that the new vertex ends up with; O(n) at worst, constant flips on average in
@@ -188,19 +189,17 @@ impl Incremental {
         }
     }
 
-    /// Tells whether face `t` cannot stay when there is a vertex at `p`.
+    /// Tells whether face `t` cannot stay when there is a vertex at `p`, which lies on no hull edge:
+    /// placing it there has split that edge and its ghost.
     fn conflicts(&self, t: TriangleId, p: Point) -> bool {
         let at = |v: VertexId| self.points[v.index()];
-        if !self.mesh.is_ghost(t) {
+        if self.mesh.is_ghost(t) {
+            let h = self.mesh.hull_edge_of(t);
+            let (a, b) = (at(self.mesh.origin(h)), at(self.mesh.dest(h)));
+            orient2d(a, b, p) == Orientation::Left
+        } else {
             let [a, b, c] = self.mesh.corners(t).map(at);
-            return in_circle_perturbed(a, b, c, p);
-        }
-        let h = self.mesh.hull_edge_of(t);
-        let (a, b) = (at(self.mesh.origin(h)), at(self.mesh.dest(h)));
-        match orient2d(a, b, p) {
-            Orientation::Left => true,
-            Orientation::Right => false,
-            Orientation::Collinear => a.lex_cmp(&p) == p.lex_cmp(&b),
+            in_circle_perturbed(a, b, c, p)
         }
     }
 
