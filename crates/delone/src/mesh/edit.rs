@@ -446,4 +446,48 @@ mod tests {
         );
         assert_eq!(faces(&mesh)[..2], [[10, 11, 12], [10, 12, u32::MAX]]);
     }
+
+    /// Does what `choice` says to half-edge `h`, if it can be done there.
+    fn edit(mesh: &mut Mesh, choice: usize, h: HalfEdgeId, new: VertexId) {
+        let is_flippable = mesh.apex(h) != mesh.apex(mesh.twin(h));
+        let is_removable = !mesh.origin(h).is_infinite() && mesh.star(h).count() == 3;
+        match choice {
+            0 => assert_eq!(mesh.split_face(h.triangle(), new).len(), 3),
+            1 => assert_eq!(mesh.split_edge(h, new)[0], h.prev()),
+            2 => {
+                let [ba, _] = mesh.open_edge(h, new);
+                assert_eq!(mesh.twin(ba), h);
+            }
+            3..6 if is_flippable => mesh.flip(h),
+            6.. if is_removable => {
+                let ab = mesh.remove_degree_three(h);
+                assert!(ab.triangle().index() < mesh.num_faces());
+            }
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn any_sequence_of_edits_keeps_the_sphere() {
+        let mut state = 1u64;
+        let mut below = |bound: usize| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 33) as usize % bound
+        };
+        for _ in 0..100 {
+            let mut mesh = Mesh::default();
+            mesh.seed(v(0), v(1));
+            for i in 2..100 {
+                let h = HalfEdgeId::new(below(3 * mesh.num_faces()));
+                let choice = below(12);
+                let before = mesh.clone();
+                edit(&mut mesh, choice, h, v(i));
+                if let Err(error) = mesh.validate() {
+                    panic!("edit {choice} at {h:?}: {error}; before: {before:?}");
+                }
+            }
+        }
+    }
 }
