@@ -12,10 +12,11 @@ use std::time::{Duration, Instant};
 
 const USAGE: &str = "\
 Usage: fuzz-points [--runs N] [--seconds S] [--seed X] [--threads T]
-                   [--incremental-every K] [--naive-every M]
+                   [--max-points P] [--incremental-every K] [--naive-every M]
 
-Stops after N runs (default 1000000) or S seconds (default: no limit). Every K-th case (default 1)
-is built incrementally too, every M-th (default 256) from the definition. 0 means never.";
+Stops after N runs (default 1000000) or S seconds (default: no limit). A case has 1 to P points
+(default 14). Every K-th case (default 1) is built incrementally too, every M-th (default 256) from
+the definition, which takes O(P⁴). 0 means never.";
 
 /// Cases that a thread takes at once.
 const BATCH: u64 = 1024;
@@ -26,6 +27,7 @@ struct Options {
     seconds: u64,
     seed: u64,
     threads: u64,
+    max_points: u64,
     incremental_every: u64,
     naive_every: u64,
 }
@@ -37,6 +39,7 @@ impl Options {
             seconds: u64::MAX,
             seed: 0,
             threads: 1,
+            max_points: 14,
             incremental_every: 1,
             naive_every: 256,
         };
@@ -47,6 +50,7 @@ impl Options {
                 "--seconds" => &mut options.seconds,
                 "--seed" => &mut options.seed,
                 "--threads" => &mut options.threads,
+                "--max-points" => &mut options.max_points,
                 "--incremental-every" => &mut options.incremental_every,
                 "--naive-every" => &mut options.naive_every,
                 _ => return Err(format!("unknown option {name}")),
@@ -102,10 +106,10 @@ impl Campaign {
 
     fn run(&self, run: u64, points: &mut Vec<Point>) {
         let seed = Random::new(self.options.seed ^ run.rotate_left(32)).bits();
-        case(seed, points);
+        case(seed, self.options.max_points.max(1) as usize, points);
         let depth = self.options.depth(run, seed);
         if check(points, depth).is_err() && !self.failed.swap(true, Relaxed) {
-            report(run, seed, points);
+            report(run, depth, points);
         }
     }
 
@@ -130,8 +134,7 @@ impl Campaign {
 }
 
 /// Prints the smallest failing subset of `points`.
-fn report(run: u64, seed: u64, points: &[Point]) {
-    let depth = Depth::Naive(seed);
+fn report(run: u64, depth: Depth, points: &[Point]) {
     let small = shrink(points, |points| check(points, depth).is_err());
     let reason = check(&small, depth).err();
     println!(
