@@ -15,6 +15,7 @@ pub mod check;
 pub mod delaunay;
 mod error;
 mod hash;
+pub mod locate;
 pub mod mesh;
 mod point;
 pub mod predicates;

@@ -123,13 +123,10 @@ impl Triangulation {
     pub fn hull(&self) -> impl Iterator<Item = VertexId> + '_ {
         let first = (self.num_triangles < self.mesh.num_faces())
             .then(|| self.mesh.hull_edge_of(TriangleId::new(self.num_triangles)));
-        let mut current = first;
-        std::iter::from_fn(move || {
-            let h = current?;
-            let next = self.mesh.next_hull_edge(h);
-            current = (Some(next) != first).then_some(next);
-            Some(self.mesh.dest(h))
-        })
+        first
+            .into_iter()
+            .flat_map(|h| self.mesh.hull(h))
+            .map(|h| self.mesh.dest(h))
     }
 
     /// Returns the merged points, sorted by the dropped one.

@@ -55,7 +55,7 @@ const FOREIGN: &[(&str, &[&str])] = &[
     ("xxhash_rust", &["hash"]),
     ("rayon", &["delaunay"]),
     ("libc", &["delaunay"]),
-    ("thiserror", &["error", "check"]),
+    ("thiserror", &["error", "check", "mesh"]),
 ];
 
 /// What no room may do: the library neither prints nor exits nor touches files.

@@ -1,3 +1,6 @@
 //! Oracles and data that only tests use.
 
 pub mod corpus;
+pub mod fuzz;
+pub mod generate;
+pub mod naive;

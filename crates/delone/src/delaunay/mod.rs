@@ -7,11 +7,15 @@
 //! Divide and conquer after Guibas and Stolfi (1985) and Shewchuk (1996), along a space-filling
 //! order. *Cost*: O(n log n) in the worst case, in practice linear; 64 bytes a point beside input
 //! and result.
+//!
+//! Beside it lives [`Incremental`], which inserts single points; it yields the identical
+//! triangulation.
 
 mod divide;
 mod export;
 mod frame;
 mod group;
+mod incremental;
 mod input;
 mod knit;
 mod leaf;
@@ -20,6 +24,8 @@ mod order;
 mod pair;
 mod parallel;
 mod sheet;
+
+pub use incremental::{Incremental, Inserted};
 
 use crate::{Error, Mesh, Phase, Point, Triangulation, Watch};
 use divide::Divide;

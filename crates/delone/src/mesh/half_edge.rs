@@ -6,9 +6,9 @@ use super::{HalfEdgeId, TriangleId, VertexId};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mesh {
     /// Corners of each face, counter-clockwise.
-    corners: Vec<[VertexId; 3]>,
+    pub(super) corners: Vec<[VertexId; 3]>,
     /// Twins of each face's half-edges.
-    twins: Vec<[HalfEdgeId; 3]>,
+    pub(super) twins: Vec<[HalfEdgeId; 3]>,
 }
 
 impl Mesh {
@@ -28,6 +28,18 @@ impl Mesh {
     #[inline]
     pub fn faces(&self) -> &[[VertexId; 3]] {
         &self.corners
+    }
+
+    /// Visits the faces that do not touch the vertex at infinity.
+    pub fn triangles(&self) -> impl Iterator<Item = TriangleId> + '_ {
+        let faces = (0..self.num_faces()).map(TriangleId::new);
+        faces.filter(|&t| !self.is_ghost(t))
+    }
+
+    /// Visits the faces that touch the vertex at infinity.
+    pub fn ghosts(&self) -> impl Iterator<Item = TriangleId> + '_ {
+        let faces = (0..self.num_faces()).map(TriangleId::new);
+        faces.filter(|&t| self.is_ghost(t))
     }
 
     /// Visits all half-edges.
@@ -73,13 +85,7 @@ impl Mesh {
 
     /// Visits the half-edges that share the origin of `h`, counter-clockwise, `h` first.
     pub fn star(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> + '_ {
-        let mut current = Some(h);
-        std::iter::from_fn(move || {
-            let this = current?;
-            let next = self.onext(this);
-            current = (next != h).then_some(next);
-            Some(this)
-        })
+        cycle(h, |h| self.onext(h))
     }
 
     /// Returns the corners of face `t`, counter-clockwise.
@@ -95,17 +101,45 @@ impl Mesh {
     }
 
     /// Returns the finite half-edge of ghost `t`; it runs clockwise around the hull.
-    pub(crate) fn hull_edge_of(&self, t: TriangleId) -> HalfEdgeId {
+    ///
+    /// # Panics
+    /// If `t` is no ghost.
+    pub fn hull_edge_of(&self, t: TriangleId) -> HalfEdgeId {
         let k = self.corners(t).iter().position(|v| v.is_infinite());
         t.half_edges()[k.expect("bug: not a ghost")]
     }
 
-    /// Returns the finite half-edge of the ghost that follows counter-clockwise around the hull.
-    pub(crate) fn next_hull_edge(&self, h: HalfEdgeId) -> HalfEdgeId {
+    /// Returns the finite half-edge of the ghost that follows counter-clockwise around the hull,
+    /// given the finite half-edge of a ghost.
+    ///
+    /// ```text
+    ///         c            .
+    ///          \    next    .
+    ///           \  ghost   ∞      h runs b → a in its ghost; the next ghost lies beyond b∞,
+    ///   inside   b ------- .      its finite half-edge runs c → b.
+    ///           /  ghost   ∞
+    ///          /    of h   .
+    ///         a            .
+    /// ```
+    #[inline]
+    pub fn next_hull_edge(&self, h: HalfEdgeId) -> HalfEdgeId {
         debug_assert!(self.apex(h).is_infinite());
-        // h runs dest ← origin against the hull's direction; the next ghost lies beyond the edge
-        // from infinity to h's origin.
-        let beyond = self.twin(h.prev());
-        beyond.prev()
+        self.twin(h.prev()).prev()
     }
+
+    /// Visits the finite half-edges of the ghosts, counter-clockwise around the hull, beginning at
+    /// `h`, which must be one. Each runs clockwise, having the hull to its right.
+    pub fn hull(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> + '_ {
+        cycle(h, |h| self.next_hull_edge(h))
+    }
+}
+
+/// Visits `first`, its successor and so on until `first` would come again.
+fn cycle(
+    first: HalfEdgeId,
+    successor: impl Fn(HalfEdgeId) -> HalfEdgeId,
+) -> impl Iterator<Item = HalfEdgeId> {
+    std::iter::successors(Some(first), move |&h| {
+        Some(successor(h)).filter(|&next| next != first)
+    })
 }

@@ -99,6 +99,12 @@ impl HalfEdgeId {
         })
     }
 
+    /// Returns which of its triangle's three half-edges this is: the corner it lies opposite to.
+    #[inline]
+    pub const fn slot(self) -> usize {
+        (self.0 % 3) as usize
+    }
+
     /// Returns the triangle that owns this half-edge.
     #[inline]
     pub const fn triangle(self) -> TriangleId {

@@ -14,10 +14,19 @@
 //! ```
 //!
 //! The unbounded face is made of *ghost* triangles that share one vertex at infinity, so the
-//! structure is a closed sphere and every half-edge has a twin.
+//! structure is a closed sphere and every half-edge has a twin. V distinct vertices, V ≥ 2, have
+//! exactly 2V − 2 faces; if all lie in a row, every face is a ghost and each edge has one on either
+//! side.
+//!
+//! Nobody else writes twins: a builder either works through the edits ([`Mesh::seed`],
+//! [`Mesh::split_face`], [`Mesh::split_edge`], [`Mesh::open_edge`], [`Mesh::flip`],
+//! [`Mesh::remove_degree_three`]) or hands over whole rows. [`Mesh::validate`] checks the result.
 
+mod edit;
 mod half_edge;
 mod ids;
+mod validate;
 
 pub use half_edge::Mesh;
 pub use ids::{HalfEdgeId, TriangleId, VertexId};
+pub use validate::TopologyError;
