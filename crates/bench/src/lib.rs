@@ -14,7 +14,6 @@
 //! anything is timed, every engine's result is compared with the number of triangles that Euler
 //! demands ([`expected`]). Nothing is pinned to a core and no priority is changed.
 
-pub mod distributions;
 pub mod engines;
 pub mod expected;
 pub mod job;
@@ -22,7 +21,8 @@ pub mod machine;
 pub mod measure;
 pub mod plan;
 pub mod process;
-pub mod random;
 pub mod report;
 pub mod stats;
 pub mod table;
+
+pub use delone_samples as distributions;

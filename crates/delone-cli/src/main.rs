@@ -1,2 +1,26 @@
-//! The program.
-fn main() {}
+//! The program `delone`: points in, a checked triangulation and its picture out.
+
+mod check;
+mod cli;
+mod convert;
+mod exit;
+mod files;
+mod interrupt;
+mod memory;
+mod progress;
+mod sample;
+mod timing;
+mod triangulate;
+mod words;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = cli::Cli::parse();
+    interrupt::listen();
+    match cli.run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -57,6 +57,7 @@ mod table;
 mod target;
 mod topology;
 mod triangle_files;
+mod unfinished;
 mod vtu;
 
 pub use error::{Error, Place, Problem};
@@ -67,3 +68,4 @@ pub use mesh::{
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
 pub use source::Source;
 pub use target::Target;
+pub use unfinished::discard_unfinished_files;

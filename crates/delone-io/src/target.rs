@@ -4,14 +4,14 @@
 //! promise holds against errors, cancellation and a crash of the program; the files are not
 //! flushed to the disk, so it does not hold against a power cut.
 
+use crate::unfinished::{Unfinished, persist_all};
 use crate::{Error, Format};
 use delone::{Phase, Watch};
 use std::ffi::OsStr;
 use std::fmt;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::TempPath;
 
 /// Bytes collected before they go to the operating system; also between two looks at the watch.
 const BUFFER: usize = 1 << 17;
@@ -59,8 +59,9 @@ impl fmt::Display for Target {
 
 /// Files that are being written; dropping it removes them.
 pub(crate) struct Staging<'a> {
-    complete: Vec<(TempPath, PathBuf)>,
-    direct: Vec<PathBuf>,
+    complete: Vec<(Unfinished, PathBuf)>,
+    /// The names as the caller gave them.
+    names: Vec<PathBuf>,
     watch: &'a dyn Watch,
     rows_done: u64,
     rows_total: u64,
@@ -71,7 +72,7 @@ impl<'a> Staging<'a> {
     pub fn new(rows_total: u64, watch: &'a dyn Watch) -> Self {
         Self {
             complete: Vec::new(),
-            direct: Vec::new(),
+            names: Vec::new(),
             watch,
             rows_done: 0,
             rows_total,
@@ -106,7 +107,7 @@ impl<'a> Staging<'a> {
                 .write(true)
                 .open(path)
                 .map_err(at("open"))?;
-            self.direct.push(path.to_owned());
+            self.names.push(path.to_owned());
             return self.fill(&name, &mut device, fill);
         }
         if existing.is_some_and(|m| m.is_dir()) {
@@ -114,9 +115,10 @@ impl<'a> Staging<'a> {
         }
         // Through a symbolic link, the file it points to is replaced, not the link.
         let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        let (mut file, temporary) = create_beside(&place).map_err(at("create"))?;
+        let (mut file, temporary) = Unfinished::create_beside(&place).map_err(at("create"))?;
         self.fill(&name, &mut file, fill)?;
         self.complete.push((temporary, place));
+        self.names.push(path.to_owned());
         Ok(())
     }
 
@@ -145,37 +147,13 @@ impl<'a> Staging<'a> {
         if self.watch.is_cancelled() {
             return Err(Error::Cancelled);
         }
-        let mut written = self.direct;
-        for (temporary, place) in self.complete {
-            temporary.persist(&place).map_err(|e| Error::Io {
-                action: "write",
-                file: place.display().to_string(),
-                source: e.error,
-            })?;
-            written.push(place);
-        }
-        Ok(written)
+        persist_all(self.complete).map_err(|(place, source)| Error::Io {
+            action: "write",
+            file: place.display().to_string(),
+            source,
+        })?;
+        Ok(self.names)
     }
-}
-
-/// Creates a file with a temporary name in the directory of `place`.
-fn create_beside(place: &Path) -> io::Result<(File, TempPath)> {
-    let directory = match place.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut prefix = std::ffi::OsString::from(".");
-    prefix.push(place.file_name().unwrap_or_default());
-    prefix.push(".");
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(".tmp");
-    #[cfg(unix)]
-    {
-        // What the umask leaves of this is what any program would have created.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    Ok(builder.tempfile_in(directory)?.into_parts())
 }
 
 /// A file being filled: buffers, formats numbers, reports progress, notices cancellation.

@@ -7,7 +7,9 @@
 //!
 //! *Cost*: 5–60 ns a point; one allocation, of the points themselves.
 
-use crate::random::Random;
+mod random;
+
+pub use random::Random;
 use std::fmt;
 use std::str::FromStr;
 
@@ -64,6 +66,22 @@ impl Distribution {
             Self::Circle => "circle",
             Self::LonLat => "lonlat",
             Self::F32Duplicates => "f32-duplicates",
+        }
+    }
+
+    /// Says in a few words what it is and why it is there.
+    pub const fn about(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform in the unit square",
+            Self::Gauss => "normal about the origin, standard deviation 1",
+            Self::Kuzmin => "Kuzmin's disk: as dense at its centre as one likes, far outliers",
+            Self::Line => "crowded along a vertical line",
+            Self::Grid => "square integer lattice, shuffled: all is cocircular",
+            Self::TiltedGrid => "square lattice, rotated: all is nearly cocircular",
+            Self::DecimalGrid => "square lattice of spacing 0.1, as a parser rounds it",
+            Self::Circle => "on the unit circle: all points lie on the hull",
+            Self::LonLat => "around cities, degrees of longitude and latitude, six decimals",
+            Self::F32Duplicates => "uniform in single precision, a quarter of them duplicates",
         }
     }
 

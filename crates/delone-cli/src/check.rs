@@ -1,0 +1,143 @@
+//! `delone check`: is this the Delaunay triangulation of its points? From the files alone.
+
+mod presence;
+mod report;
+
+use crate::exit::Failure;
+use crate::files::{self, Reading};
+use crate::progress::Progress;
+use crate::timing::timed;
+use delone::check::verify;
+use delone_io::{Format, MeshData, Source};
+use presence::Absences;
+use report::Report;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+const EXAMPLES: &str = "\
+Examples:
+  delone check mesh.ele                      reads mesh.node and mesh.ele
+  delone check mesh.ele --points survey.csv  and is every point of survey.csv in it?
+  delone check a.ele b.vtu --json            one JSON object a line
+  delone check mesh.ele && echo trustworthy  the exit code tells: 0 right, 1 wrong";
+
+const JSON: &str = "\
+The JSON object of --json:
+  file, right      the file, and whether it is the Delaunay triangulation
+  points, vertices, duplicates, triangles, edges, hull_edges, hash
+                   counts and name; all but points and triangles are null if it is wrong
+  proven           what has been proven, clause by clause; empty if it is wrong
+  defects          their total, and the first few of each kind in words
+  quality          angles in degrees, lengths in units of the coordinates (rounded numbers)
+  seconds          wall time of the phases read and check
+  peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
+
+/// Check that a mesh is a Delaunay triangulation, exactly
+///
+/// Verifies from the files alone and without trust in whoever made them: every triangle is
+/// counter-clockwise, they cover the convex hull without gap or overlap, no point is missing, and
+/// no circle contains a point; among four points on one circle the diagonal is the canonical one.
+/// Signs are exact for all finite coordinates. The time is linear.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
+pub struct Check {
+    /// Meshes: .ele (with the .node beside it), .npy (with .points.npy), .vtu, or `-`
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Also require that the vertices are the points of this file, in any order
+    #[arg(long, value_name = "FILE")]
+    points: Option<PathBuf>,
+    /// Print one JSON object for each mesh, each on its own line
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    reading: Reading,
+}
+
+impl Check {
+    /// Runs the command.
+    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+        let mut all_right = true;
+        for file in families(&self.files) {
+            let report = self.check(&file, quiet)?;
+            all_right &= report.is_right();
+            if self.json {
+                files::print(&report.json())?;
+            } else if !quiet || !report.is_right() {
+                files::print(&report.to_string())?;
+            }
+        }
+        if all_right {
+            Ok(())
+        } else {
+            Err(Failure::CheckFailed)
+        }
+    }
+
+    fn check(&self, file: &Path, quiet: bool) -> Result<Report, Failure> {
+        let source = Source::from_arg(file);
+        let progress = Progress::new(quiet);
+        let (mesh, read) = timed(|| self.reading.mesh(&source, &progress))?;
+        let ((verdict, absences), check) = timed(|| {
+            let points = &mesh.vertices.points;
+            let verdict = verify(points, &mesh.triangles, &progress)
+                .map_err(|error| failure(&source, error))?;
+            Ok((verdict, self.absences(&mesh, &progress)?))
+        })?;
+        progress.finish();
+        Ok(Report::new(
+            &source,
+            &mesh,
+            verdict,
+            absences,
+            [read, check],
+        ))
+    }
+
+    fn absences(&self, mesh: &MeshData, progress: &Progress) -> Result<Absences, Failure> {
+        let Some(file) = &self.points else {
+            return Ok(Absences::default());
+        };
+        let source = Source::from_arg(file);
+        let expected = self.reading.of_another_file().points(&source, progress)?;
+        Ok(presence::compare(
+            &source,
+            &expected.points,
+            &mesh.vertices.points,
+        ))
+    }
+}
+
+/// Takes the files of one family together: `mesh.*` of the shell names one mesh, not four.
+fn families(files: &[PathBuf]) -> Vec<PathBuf> {
+    let mut seen = BTreeSet::new();
+    let key = |file: &PathBuf| match Format::from_path(file) {
+        Some(Format::Node | Format::Ele | Format::Edge | Format::Neigh) => {
+            file.with_extension("ele")
+        }
+        _ => file.clone(),
+    };
+    files
+        .iter()
+        .map(key)
+        .filter(|f| seen.insert(f.clone()))
+        .collect()
+}
+
+fn failure(source: &Source, error: delone::Error) -> Failure {
+    match error {
+        delone::Error::Cancelled => Failure::Cancelled,
+        _ => Failure::BadInput(format!("{source}: {error}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_files_of_a_family_are_checked_once() {
+        let files = ["m.edge", "m.ele", "m.node", "n.vtu"].map(PathBuf::from);
+        assert_eq!(families(&files), ["m.ele", "n.vtu"].map(PathBuf::from));
+    }
+}

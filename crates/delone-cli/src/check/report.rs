@@ -1,0 +1,203 @@
+//! The outcome of a check, for people and for programs.
+
+use super::presence::Absences;
+use crate::memory::peak_rss_bytes;
+use crate::words::{counted, duration, measure};
+use delone::check::{Certificate, Quality, Verdict, quality};
+use delone_io::{MeshData, Source};
+use serde::Serialize;
+use std::fmt;
+use std::time::Duration;
+
+/// The verdict with its figures; the fields are the keys of `--json`, in this order.
+#[derive(Serialize)]
+pub struct Report {
+    file: String,
+    right: bool,
+    points: usize,
+    vertices: Option<usize>,
+    duplicates: Option<usize>,
+    triangles: usize,
+    edges: Option<usize>,
+    hull_edges: Option<usize>,
+    hash: Option<String>,
+    proven: &'static [&'static str],
+    defects: Listed,
+    quality: Option<Shapes>,
+    seconds: Seconds,
+    peak_rss_bytes: Option<u64>,
+    /// Whether the file counts from 1; words always count from 0.
+    #[serde(skip)]
+    one_based: bool,
+}
+
+/// Defects: how many, and some of them in words.
+#[derive(Default, Serialize)]
+struct Listed {
+    total: usize,
+    listed: Vec<String>,
+}
+
+/// Angles in degrees, lengths in units of the coordinates.
+#[derive(Serialize)]
+struct Shapes {
+    min_angle: f64,
+    mean_min_angle: f64,
+    max_angle: f64,
+    shortest_edge: f64,
+    longest_edge: f64,
+}
+
+/// Wall time of the phases, in seconds.
+#[derive(Serialize)]
+struct Seconds {
+    read: f64,
+    check: f64,
+}
+
+impl Report {
+    /// Puts a report together; `absences` are defects beyond the verdict's.
+    pub fn new(
+        source: &Source,
+        mesh: &MeshData,
+        verdict: Verdict,
+        absences: Absences,
+        seconds: [Duration; 2],
+    ) -> Self {
+        let (certificate, mut defects) = match verdict {
+            Verdict::Right(certificate) => (Some(certificate), Listed::default()),
+            Verdict::Wrong(defects) => (None, Listed::from(&defects)),
+        };
+        defects.total += absences.total;
+        defects.listed.extend(absences.listed);
+        let certificate = certificate.filter(|_| defects.total == 0);
+        let [read, check] = seconds.map(|s| s.as_secs_f64());
+        Self {
+            file: source.to_string(),
+            right: certificate.is_some(),
+            points: mesh.vertices.points.len(),
+            vertices: certificate.map(|c| c.vertices),
+            duplicates: certificate.map(|c| c.duplicates),
+            triangles: mesh.triangles.len(),
+            edges: certificate.map(|c| c.edges),
+            hull_edges: certificate.map(|c| c.hull_edges),
+            hash: certificate.map(|c| c.hash.to_string()),
+            proven: certificate.map_or(&[], |_| &Certificate::PROVEN),
+            defects,
+            quality: certificate.and_then(|_| Shapes::of(mesh)),
+            seconds: Seconds { read, check },
+            peak_rss_bytes: peak_rss_bytes(),
+            one_based: mesh.vertices.base == 1,
+        }
+    }
+
+    /// Tells whether nothing is wrong.
+    pub fn is_right(&self) -> bool {
+        self.right
+    }
+
+    /// Writes the JSON object, on one line.
+    pub fn json(&self) -> String {
+        serde_json::to_string(self).expect("bug: numbers and strings always serialise")
+    }
+
+    fn write_certificate(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let points = counted(self.points, "point", "points");
+        writeln!(
+            f,
+            "{}: right. This is the Delaunay triangulation of its {points}.",
+            self.file
+        )?;
+        let part = |n: Option<usize>, one, many| counted(n.unwrap_or(0), one, many);
+        writeln!(
+            f,
+            "  {}, {}, {}, {}, {}",
+            part(self.vertices, "vertex", "vertices"),
+            part(self.duplicates, "duplicate", "duplicates"),
+            counted(self.triangles, "triangle", "triangles"),
+            part(self.edges, "edge", "edges"),
+            part(self.hull_edges, "edge on the hull", "edges on the hull"),
+        )?;
+        if let Some(shapes) = &self.quality {
+            writeln!(f, "  {shapes}")?;
+        }
+        writeln!(f, "  hash {}", self.hash.as_deref().unwrap_or("none"))?;
+        writeln!(f, "  Proven from the files alone, in exact arithmetic:")?;
+        for clause in self.proven {
+            writeln!(f, "  - {clause}")?;
+        }
+        self.write_effort(f)
+    }
+
+    fn write_defects(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let defects = counted(self.defects.total, "defect", "defects");
+        writeln!(f, "{}: wrong, {defects}:", self.file)?;
+        for defect in &self.defects.listed {
+            writeln!(f, "  - {defect}")?;
+        }
+        match self.defects.total - self.defects.listed.len() {
+            0 => {}
+            more => writeln!(
+                f,
+                "  and {} of the same kinds",
+                counted(more, "other", "others")
+            )?,
+        }
+        if self.one_based {
+            writeln!(f, "  (Numbers here count from 0; the file counts from 1.)")?;
+        }
+        self.write_effort(f)
+    }
+
+    fn write_effort(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [read, check] =
+            [self.seconds.read, self.seconds.check].map(|s| duration(Duration::from_secs_f64(s)));
+        write!(f, "  read in {read}, checked in {check}")
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.right {
+            self.write_certificate(f)
+        } else {
+            self.write_defects(f)
+        }
+    }
+}
+
+impl From<&delone::check::Defects> for Listed {
+    fn from(defects: &delone::check::Defects) -> Self {
+        Self {
+            total: defects.total(),
+            listed: defects.listed().iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+impl Shapes {
+    /// Measures a mesh; `None` without triangles.
+    fn of(mesh: &MeshData) -> Option<Self> {
+        let quality: Quality = quality(&mesh.vertices.points, &mesh.triangles);
+        (quality.triangles > 0).then_some(Self {
+            min_angle: quality.min_angle,
+            mean_min_angle: quality.mean_min_angle,
+            max_angle: quality.max_angle,
+            shortest_edge: quality.shortest_edge,
+            longest_edge: quality.longest_edge,
+        })
+    }
+}
+
+impl fmt::Display for Shapes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "smallest angle {}°, per triangle {}° on average; edges {} to {} long",
+            measure(self.min_angle),
+            measure(self.mean_min_angle),
+            measure(self.shortest_edge),
+            measure(self.longest_edge),
+        )
+    }
+}

@@ -1,0 +1,118 @@
+//! `delone convert`: the same points or mesh in another format.
+
+use crate::exit::Failure;
+use crate::files::{Content, Reading, Writing};
+use crate::progress::Progress;
+use crate::words::{counted, list};
+use delone_io::{Format, MeshView, Source};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  delone convert points.csv points.npy             points
+  delone convert mesh.ele mesh.vtu                 mesh.node and mesh.ele, for ParaView
+  delone convert mesh.ele mesh.png --size 3000     a picture, 3000 pixels wide or high
+  delone convert mesh.vtu mesh.ele --one-based     numbered from 1
+  delone convert - points.node --from csv          from standard input";
+
+/// Convert points or a mesh from one format to another
+///
+/// If the input holds triangles (.ele, .vtu, .npy with .points.npy beside it) they come along;
+/// otherwise points are converted. Nothing is triangulated and nothing is checked.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
+pub struct Convert {
+    /// File to read, or `-` for standard input
+    input: PathBuf,
+    /// File to write, or `-` for standard output (with --to)
+    output: PathBuf,
+    /// Convert the points alone, even if there are triangles
+    #[arg(long)]
+    points: bool,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    writing: Writing,
+}
+
+impl Convert {
+    /// Runs the command.
+    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+        let source = Source::from_arg(&self.input);
+        let progress = Progress::new(quiet);
+        let (written, what) = if self.has_triangles(&source) && self.takes_triangles() {
+            self.convert_mesh(&source, &progress)?
+        } else {
+            self.convert_points(&source, &progress)?
+        };
+        progress.finish();
+        if !quiet && !written.is_empty() {
+            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
+            eprintln!("wrote {what} to {}", list(&names));
+        }
+        Ok(())
+    }
+
+    fn convert_mesh(
+        &self,
+        source: &Source,
+        progress: &Progress,
+    ) -> Result<(Vec<PathBuf>, String), Failure> {
+        let outputs = self
+            .writing
+            .outputs([(self.output.clone(), Content::Mesh)])?;
+        let mesh = self.reading.mesh(source, progress)?;
+        let written = self
+            .writing
+            .mesh(&outputs, &MeshView::from(&mesh), progress)?;
+        let points = counted(mesh.vertices.points.len(), "point", "points");
+        let triangles = counted(mesh.triangles.len(), "triangle", "triangles");
+        Ok((written, format!("{points} and {triangles}")))
+    }
+
+    fn convert_points(
+        &self,
+        source: &Source,
+        progress: &Progress,
+    ) -> Result<(Vec<PathBuf>, String), Failure> {
+        self.require_no_triangles()?;
+        let outputs = self
+            .writing
+            .outputs([(self.output.clone(), Content::Points)])?;
+        let points = self.reading.points(source, progress)?;
+        let written = self.writing.points(&outputs, &points, progress)?;
+        let what = counted(points.points.len(), "point", "points");
+        Ok((written, what))
+    }
+
+    /// Tells whether the input brings triangles, in itself or in a file beside it.
+    fn has_triangles(&self, source: &Source) -> bool {
+        let beside = |extension| self.input.with_extension(extension).is_file();
+        !self.points
+            && match self.reading.format(source) {
+                Some(Format::Ele | Format::Vtu) => true,
+                Some(Format::Node) => beside("ele"),
+                Some(Format::Npy) => beside("points.npy"),
+                _ => false,
+            }
+    }
+
+    fn takes_triangles(&self) -> bool {
+        self.writing
+            .format(&self.output)
+            .is_none_or(Format::writes_mesh)
+    }
+
+    fn require_no_triangles(&self) -> Result<(), Failure> {
+        match self.writing.format(&self.output) {
+            Some(format) if format.writes_mesh() && !format.writes_points() => {
+                let [input, output] = [&self.input, &self.output].map(|p| p.display());
+                Err(Failure::Usage(format!(
+                    "{output}: {format} holds triangles, but {input} brings none; \
+                     `delone triangulate {input} -o {output}` makes them"
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+}

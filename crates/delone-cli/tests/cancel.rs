@@ -1,0 +1,81 @@
+//! Ctrl-C: exit code 130, soon, and nothing half-written.
+#![cfg(unix)]
+
+mod support;
+
+use std::io::Write;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use support::Folder;
+
+/// What is promised is 100 ms; machines that test are busy.
+const SOON: Duration = Duration::from_millis(if cfg!(debug_assertions) { 600 } else { 400 });
+
+fn start(folder: &Folder, line: &str, stdin: Stdio) -> Child {
+    Command::new(assert_cmd::cargo::cargo_bin("delone"))
+        .current_dir(folder.path())
+        .args(line.split_whitespace())
+        .stdin(stdin)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts")
+}
+
+/// Sends Ctrl-C after a while and returns how the program ended, and how long it took to.
+fn interrupt(child: &mut Child, after: Duration) -> (ExitStatus, Duration) {
+    sleep(after);
+    let id = libc::pid_t::try_from(child.id()).expect("a process id");
+    // SAFETY: the child has not been waited for, so the id is still its own.
+    assert_eq!(unsafe { libc::kill(id, libc::SIGINT) }, 0);
+    let start = Instant::now();
+    let status = child.wait().expect("the program ends");
+    (status, start.elapsed())
+}
+
+#[test]
+fn ctrl_c_ends_every_phase_soon_and_leaves_no_file() {
+    let folder = Folder::new();
+    folder.run("sample uniform -n 1000000 -o points.csv", 0);
+    let line = "triangulate points.csv -o mesh.ele -o mesh.vtu --picture mesh.svg --threads 2";
+    let mut cancelled = 0;
+    for millis in [30, 120, 300, 700, 1500] {
+        let mut child = start(&folder, line, Stdio::null());
+        let (status, time) = interrupt(&mut child, Duration::from_millis(millis));
+        if status.code() == Some(0) {
+            // A machine so fast that everything was done by then.
+            continue;
+        }
+        assert_eq!(status.code(), Some(130), "after {millis} ms");
+        assert!(time < SOON, "took {time:?} after {millis} ms");
+        assert_eq!(folder.names(), ["points.csv"], "after {millis} ms");
+        cancelled += 1;
+    }
+    assert!(cancelled > 0, "never fast enough to interrupt");
+}
+
+#[test]
+fn ctrl_c_ends_a_wait_for_standard_input() {
+    let folder = Folder::new();
+    let mut child = start(&folder, "triangulate -", Stdio::piped());
+    let mut stdin = child.stdin.take().expect("a pipe");
+    stdin.write_all(b"0,0\n").expect("the program reads");
+    let (status, time) = interrupt(&mut child, Duration::from_millis(150));
+    drop(stdin);
+    assert_eq!(status.code(), Some(130));
+    assert!(time < SOON, "took {time:?}");
+}
+
+#[test]
+fn an_old_file_survives_a_cancelled_run() {
+    let folder = Folder::new();
+    folder.run("sample uniform -n 1000000 -o points.npy", 0);
+    folder.write("mesh.vtu", "old");
+    let mut child = start(&folder, "triangulate points.npy -o mesh.vtu", Stdio::null());
+    let (status, _) = interrupt(&mut child, Duration::from_millis(100));
+    if status.code() == Some(130) {
+        assert_eq!(folder.read("mesh.vtu"), "old");
+    }
+    assert_eq!(folder.names(), ["mesh.vtu", "points.npy"]);
+}

@@ -1,0 +1,92 @@
+//! `delone check`, seen from the shell: right meshes, and every way to be wrong.
+
+mod support;
+
+use support::{Folder, POINTS, TRIANGLES, hash_by_hand};
+
+/// A folder with `mesh.node` and `mesh.ele`, the latter with these triangles.
+fn mesh(triangles: &[[usize; 3]]) -> Folder {
+    let folder = Folder::new();
+    let rows: Vec<&str> = POINTS.lines().skip(1).collect();
+    let mut node = format!("{} 2 0 0\n", rows.len());
+    for (i, row) in rows.iter().enumerate() {
+        node.push_str(&format!("{i} {}\n", row.replace(',', " ")));
+    }
+    let mut ele = format!("{} 3 0\n", triangles.len());
+    for (i, [a, b, c]) in triangles.iter().enumerate() {
+        ele.push_str(&format!("{i} {a} {b} {c}\n"));
+    }
+    folder.write("mesh.node", node);
+    folder.write("mesh.ele", ele);
+    folder
+}
+
+#[test]
+fn a_right_mesh_gets_a_certificate() {
+    let folder = mesh(&TRIANGLES);
+    let output = folder.run("check mesh.ele", 0);
+    for words in [
+        "right",
+        "5 vertices",
+        "1 duplicate",
+        "Proven",
+        &hash_by_hand(),
+    ] {
+        assert!(output.stdout.contains(words), "{words}: {}", output.stdout);
+    }
+    let json = folder.run("check mesh.ele --json", 0).json();
+    assert_eq!(json["right"], true);
+    assert_eq!(json["hash"], hash_by_hand());
+    assert_eq!(json["edges"], 8);
+    assert_eq!(json["defects"]["total"], 0);
+    assert_eq!(folder.run("-q check mesh.ele", 0).stdout, "");
+}
+
+#[test]
+fn a_wrong_mesh_is_1_and_the_defects_are_named() {
+    let [a, b, c, d] = TRIANGLES;
+    for (triangles, words) in [
+        (vec![a, b, c], "not convex"),
+        (vec![a, b, c, [0, 3, 4]], "clockwise"),
+        (vec![a, b, c, d, d], "triangle"),
+        (vec![a, [1, 2, 3], [1, 3, 4], d], "Delaunay"),
+        (vec![[0, 1, 2], [2, 3, 0]], "point 4"),
+    ] {
+        let folder = mesh(&triangles);
+        let output = folder.run("check mesh.ele", 1);
+        assert!(output.stdout.contains("wrong"), "{}", output.stdout);
+        assert!(output.stdout.contains(words), "{words}: {}", output.stdout);
+        let json = folder.run("check mesh.ele --json", 1).json();
+        assert_eq!(json["right"], false);
+        assert!(json["hash"].is_null());
+        assert!(json["defects"]["total"].as_u64() > Some(0));
+    }
+}
+
+#[test]
+fn several_meshes_are_checked_and_one_wrong_one_decides() {
+    let folder = mesh(&TRIANGLES[..3]);
+    folder.write("points.csv", POINTS);
+    folder.run("triangulate points.csv -o good.vtu", 0);
+    let output = folder.run("check good.vtu mesh.node mesh.ele --json", 1);
+    let verdicts: Vec<bool> = output
+        .stdout
+        .lines()
+        .map(|l| l.contains("\"right\":true"))
+        .collect();
+    assert_eq!(verdicts, [true, false]);
+}
+
+#[test]
+fn points_of_another_file_must_all_be_there() {
+    let folder = mesh(&TRIANGLES);
+    folder.write("same.csv", "x,y\n1,1\n0,3\n4,3\n4,0\n0,0\n");
+    folder.run("check mesh.ele --points same.csv", 0);
+    folder.write("more.csv", "x,y\n1,1\n0,3\n4,3\n4,0\n0,0\n2,2\n");
+    let output = folder.run("check mesh.ele --points more.csv", 1);
+    assert!(
+        output.stdout.contains("point 5 (2.0, 2.0) of more.csv"),
+        "{}",
+        output.stdout
+    );
+}

@@ -1,0 +1,112 @@
+//! `delone sample` and `delone convert`, seen from the shell.
+
+mod support;
+
+use support::{Folder, hash_by_hand};
+
+#[test]
+fn samples_are_listed() {
+    let list = Folder::new().run("sample", 0).stdout;
+    for name in [
+        "populated-places",
+        "Natural Earth",
+        "uniform",
+        "kuzmin",
+        "tilted-grid",
+    ] {
+        assert!(list.contains(name), "{name}");
+    }
+}
+
+#[test]
+fn generated_samples_have_the_count_and_depend_on_the_seed_alone() {
+    let folder = Folder::new();
+    let text = |line: &str| folder.run(line, 0).stdout;
+    let seven = text("sample gauss -n 50 --seed 7");
+    assert_eq!(seven, text("sample gauss -n 50 --seed 7"));
+    assert_ne!(seven, text("sample gauss -n 50 --seed 8"));
+    assert_eq!(
+        seven
+            .lines()
+            .filter(|l| l.starts_with(['-', '0', '1', '2']))
+            .count(),
+        50
+    );
+}
+
+#[test]
+fn a_sample_is_the_same_in_every_format() {
+    let folder = Folder::new();
+    folder.run(
+        "sample kuzmin -n 200 -o a.csv -o a.npy -o a.node -o a.xyz",
+        0,
+    );
+    let hash =
+        |file: &str| folder.run(&format!("triangulate {file} --json"), 0).json()["hash"].clone();
+    let csv = hash("a.csv");
+    for file in ["a.npy", "a.node", "a.xyz"] {
+        assert_eq!(hash(file), csv, "{file}");
+    }
+}
+
+#[test]
+fn the_embedded_sample_can_be_had_as_a_file() {
+    let folder = Folder::new();
+    folder
+        .run("sample populated-places -o cities.csv", 0)
+        .says(&["1,249 points", "cities.csv"]);
+    let from_file = folder.run("triangulate cities.csv --json", 0).json();
+    let embedded = folder.run("triangulate --json", 0).json();
+    assert_eq!(from_file["hash"], embedded["hash"]);
+    assert!(folder.read("cities.csv").starts_with("x,y,population\n"));
+}
+
+#[test]
+fn points_are_converted_back_and_forth() {
+    let folder = Folder::with_points();
+    folder
+        .run("convert points.csv a.npy", 0)
+        .says(&["6 points", "a.npy"]);
+    folder.run("convert a.npy b.node --one-based", 0);
+    folder.run("convert b.node c.csv", 0);
+    let json = folder.run("triangulate c.csv --json", 0).json();
+    assert_eq!(json["hash"], hash_by_hand());
+    assert_eq!(json["duplicates"], 1);
+}
+
+#[test]
+fn meshes_are_converted_back_and_forth() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv -o a.ele", 0);
+    folder.run("convert a.ele b.vtu", 0).says(&["4 triangles"]);
+    folder.run("convert b.vtu c.npy", 0);
+    folder.run("convert c.npy d.node --one-based", 0);
+    let json = folder.run("check d.ele --json", 0).json();
+    assert_eq!(json["hash"], hash_by_hand());
+    folder.run("convert d.node d.svg", 0);
+    assert!(folder.read("d.svg").contains("<svg"));
+}
+
+#[test]
+fn points_alone_leave_the_triangles_behind() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv -o a.ele", 0);
+    folder
+        .run("convert a.ele b.csv", 0)
+        .says(&["6 points to b.csv"]);
+    folder
+        .run("convert a.ele b.node --points", 0)
+        .says(&["6 points to b.node"]);
+    assert!(!folder.names().contains(&"b.ele".to_owned()));
+}
+
+#[test]
+fn conversion_works_in_a_pipe() {
+    let folder = Folder::new();
+    folder
+        .command("convert - - --from csv --to node")
+        .write_stdin(support::POINTS)
+        .assert()
+        .code(0)
+        .stdout(predicates::str::starts_with("6 2 "));
+}

@@ -1,0 +1,155 @@
+//! Exit codes 2, 3 and 4, and what is said then.
+
+mod support;
+
+use support::Folder;
+
+#[test]
+fn wrong_usage_is_2() {
+    let folder = Folder::with_points();
+    for (line, words) in [
+        ("", &["Usage"][..]),
+        ("triangluate points.csv", &["triangulate"]),
+        ("triangulate points.csv --threads 0", &["threads"]),
+        ("triangulate points.csv --colour", &["--colour"]),
+        (
+            "triangulate points.csv -o mesh.xls",
+            &["mesh.xls", "ele", "vtu"],
+        ),
+        ("triangulate points.csv -o mesh", &["mesh", "extension"]),
+        ("triangulate points.csv -o -", &["--to"]),
+        (
+            "triangulate points.csv -o mesh.csv",
+            &["mesh.csv", "cannot hold a mesh"],
+        ),
+        (
+            "triangulate points.csv --picture map.ele",
+            &["map.ele", "svg, png"],
+        ),
+        (
+            "triangulate points.csv -o - --to ele --json",
+            &["--json", "standard output"],
+        ),
+        ("triangulate points.csv -o - -o - --to ele", &["only one"]),
+        ("triangulate points.csv --columns x", &["two columns"]),
+        (
+            "triangulate points.csv --columns x,elevation",
+            &["elevation", "points.csv"],
+        ),
+        ("triangulate points.csv --from xls", &["xls", "node"]),
+        ("sample nosuch", &["nosuch", "delone sample"]),
+        ("check", &["Usage"]),
+        ("convert points.csv", &["Usage"]),
+        (
+            "convert points.csv mesh.ele",
+            &["mesh.ele", "delone triangulate"],
+        ),
+    ] {
+        let output = folder.run(line, 2);
+        assert_eq!(output.stdout, "", "{line}");
+        output.says(words);
+    }
+    assert_eq!(folder.names(), ["points.csv"]);
+}
+
+#[test]
+fn bad_input_is_3_and_names_file_and_line() {
+    let folder = Folder::new();
+    folder.write("word.csv", "x,y\n0,0\n1,zero\n");
+    folder.write("nan.csv", "x,y\n0,0\nNaN,1\n");
+    folder.write("huge.node", "4000000000 2 0 0\n0 1 1\n");
+    folder.write("short.node", "3 2 0 0\n0 0 0\n1 1 0\n");
+    folder.write("three.node", "1 3 0 0\n0 0 0 0\n");
+    folder.write("infinite.node", "1 2 0 0\n0 inf 0\n");
+    folder.write("noise.npy", [0xff; 64]);
+    folder.write("bad.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
+    folder.write("bad.ele", "1 3 0\n0 0 1 7\n");
+    for (line, words) in [
+        ("triangulate nowhere.csv", &["nowhere.csv"][..]),
+        ("triangulate word.csv", &["word.csv:3", "zero"]),
+        ("triangulate nan.csv", &["nan.csv:3"]),
+        ("triangulate huge.node", &["huge.node", "4000000000"]),
+        ("triangulate short.node", &["short.node", "truncated"]),
+        ("triangulate three.node", &["three.node:1", "dimension"]),
+        ("triangulate infinite.node", &["infinite.node:2", "finite"]),
+        ("triangulate noise.npy", &["noise.npy"]),
+        ("check bad.ele", &["bad.ele:2", "vertex 7"]),
+        ("check nowhere.ele", &["nowhere"]),
+        ("convert word.csv word.npy", &["word.csv:3"]),
+    ] {
+        let output = folder.run(line, 3);
+        assert_eq!(output.stdout, "", "{line}");
+        output.says(words);
+        assert_eq!(
+            output.stderr.lines().count(),
+            1,
+            "one line: {}",
+            output.stderr
+        );
+    }
+    assert!(!folder.names().iter().any(|n| n == "word.npy"));
+}
+
+#[test]
+fn what_cannot_be_written_is_4() {
+    let folder = Folder::with_points();
+    folder
+        .run("triangulate points.csv -o nowhere/mesh.ele", 4)
+        .says(&["nowhere", "create"]);
+    std::fs::create_dir(folder.path().join("taken.svg")).expect("a folder");
+    folder
+        .run("triangulate points.csv --picture taken.svg", 4)
+        .says(&["taken.svg"]);
+    assert_eq!(folder.names(), ["points.csv", "taken.svg"]);
+}
+
+#[test]
+fn help_and_version_are_0() {
+    let folder = Folder::new();
+    let version = folder.run("--version", 0);
+    assert_eq!(
+        version.stdout.trim(),
+        concat!("delone ", env!("CARGO_PKG_VERSION"))
+    );
+    for command in ["triangulate", "check", "sample", "convert"] {
+        assert!(folder.run("--help", 0).stdout.contains(command));
+        let help = folder.run(&format!("{command} --help"), 0).stdout;
+        for words in [
+            "Examples:",
+            &format!("delone {command} "),
+            "Exit codes:",
+            "130",
+        ] {
+            assert!(help.contains(words), "{command}: {words}");
+        }
+        let short = folder.run(&format!("{command} -h"), 0).stdout;
+        assert!(short.contains("Examples:") && short.len() < help.len());
+    }
+}
+
+#[test]
+fn help_names_every_key_of_the_json() {
+    let folder = Folder::with_points();
+    let help = folder.run("triangulate --help", 0).stdout;
+    let json = folder.run("triangulate points.csv --json", 0).json();
+    for key in json.as_object().expect("an object").keys() {
+        assert!(help.contains(key.as_str()), "{key}");
+    }
+}
+
+#[test]
+fn lines_of_help_fit_a_terminal() {
+    let folder = Folder::new();
+    for line in [
+        "-h",
+        "triangulate -h",
+        "check -h",
+        "sample -h",
+        "convert -h",
+        "sample",
+    ] {
+        for text in folder.run(line, 0).stdout.lines() {
+            assert!(text.chars().count() <= 100, "{line}: {text}");
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Temporary files of this process, listed so that it may end at any moment and leave none.
+//!
+//! Ordinarily a temporary file goes when its owner is dropped. A program that is asked to end while
+//! a thread is deep in other work cannot wait for that: [`discard_unfinished_files`] is for it.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::TempPath;
+
+static FILES: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    // Whoever panicked while holding the lock left a list that is still right.
+    FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes every temporary file of this process and lets it make no more; then end the process.
+///
+/// Files that are being renamed just now are all renamed before. Threads that go on to write files
+/// block for ever, so this is for programs about to exit, from a handler of Ctrl-C for example.
+pub fn discard_unfinished_files() {
+    let files = files();
+    for file in files.iter() {
+        // Nobody is left to be told of a failure.
+        drop(fs::remove_file(file));
+    }
+    std::mem::forget(files);
+}
+
+/// A temporary file; dropping it removes it.
+pub(crate) struct Unfinished(Option<TempPath>);
+
+impl Unfinished {
+    /// Creates a file with a temporary name in the directory of `place`.
+    pub fn create_beside(place: &Path) -> io::Result<(File, Self)> {
+        let mut files = files();
+        let (file, path) = create_beside(place)?;
+        files.insert(path.to_path_buf());
+        Ok((file, Self(Some(path))))
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        if let Some(path) = self.0.take() {
+            let mut files = files();
+            files.remove(path.as_ref() as &Path);
+            // Within the lock: a process that ends now must not leave it behind.
+            drop(path);
+        }
+    }
+}
+
+/// Gives every file its name; stops at the first that cannot be renamed, and removes the rest.
+pub(crate) fn persist_all(
+    unfinished: Vec<(Unfinished, PathBuf)>,
+) -> Result<(), (PathBuf, io::Error)> {
+    let mut files = files();
+    let paths: Vec<(TempPath, PathBuf)> = unfinished
+        .into_iter()
+        .filter_map(|(mut file, place)| file.0.take().map(|path| (path, place)))
+        .collect();
+    for (path, _) in &paths {
+        files.remove(path.as_ref() as &Path);
+    }
+    for (path, place) in paths {
+        path.persist(&place).map_err(|e| (place, e.error))?;
+    }
+    Ok(())
+}
+
+fn create_beside(place: &Path) -> io::Result<(File, TempPath)> {
+    let directory = match place.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut prefix = std::ffi::OsString::from(".");
+    prefix.push(place.file_name().unwrap_or_default());
+    prefix.push(".");
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix).suffix(".tmp");
+    #[cfg(unix)]
+    {
+        // What the umask leaves of this is what any program would have created.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    Ok(builder.tempfile_in(directory)?.into_parts())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_listed_until_they_are_dropped_or_have_their_names() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let place = folder.path().join("a.txt");
+        let [kept, dropped] = [(); 2].map(|()| {
+            let (_, file) = Unfinished::create_beside(&place).expect("the folder is writable");
+            file
+        });
+        let here = || {
+            files()
+                .iter()
+                .filter(|f| f.starts_with(folder.path()))
+                .count()
+        };
+        assert_eq!(here(), 2);
+        drop(dropped);
+        assert_eq!(here(), 1);
+        persist_all(vec![(kept, place.clone())]).expect("the folder is writable");
+        assert_eq!(here(), 0);
+        let entries = fs::read_dir(folder.path()).expect("the folder is there");
+        assert_eq!(entries.count(), 1);
+        assert!(place.is_file());
+    }
+}
