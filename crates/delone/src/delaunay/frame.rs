@@ -23,9 +23,11 @@ pub(super) struct Frame {
     origin: [f64; 2],
     /// Cells per unit, in two factors: one alone could leave the range of `f64`.
     scale: [[f64; 2]; 2],
-    /// Bits that interleave, y in the even and x in the odd ones: 2 · min(bits of x, bits of y).
+    /// Bits that interleave: 2 · min(bits of x, bits of y).
     interleaved: u32,
-    /// The axis of the bits above: the longer side of the box.
+    /// The axis of the odd ones among them: the longer side of a cell.
+    odd: Axis,
+    /// The axis of the bits above them: the longer side of the box.
     long: Axis,
 }
 
@@ -49,13 +51,14 @@ impl Frame {
         };
         let origin = min.map(|c| half * c);
         let extent = [0, 1].map(|k| half * max[k] - origin[k]);
-        let x_bits = share_of_x(extent, bits as i32);
+        let (x_bits, odd) = share_of_x(extent, bits as i32);
         let y_bits = bits as i32 - x_bits;
         Self {
             half,
             origin,
             scale: [factors(extent[0], x_bits), factors(extent[1], y_bits)],
             interleaved: 2 * x_bits.min(y_bits) as u32,
+            odd,
             long: if x_bits >= y_bits { Axis::X } else { Axis::Y },
         }
     }
@@ -66,13 +69,12 @@ impl Frame {
         let x = self.cell(p.x, 0);
         let y = self.cell(p.y, 1);
         let half = self.interleaved / 2;
-        let low = (1u64 << half) - 1;
-        let high = match self.long {
-            Axis::X => u64::from(x) >> half,
-            Axis::Y => u64::from(y) >> half,
-        };
-        let mixed = spread(x & low as u32) << 1 | spread(y & low as u32);
-        (high << self.interleaved) as u32 | mixed
+        let low = ((1u64 << half) - 1) as u32;
+        let odd = u32::from(self.odd == Axis::X);
+        let mixed = spread(x & low) << odd | spread(y & low) << (1 - odd);
+        // Only the longer side has bits above those that interleave.
+        let high = u64::from(x | y) >> half << self.interleaved;
+        high as u32 | mixed
     }
 
     #[inline(always)]
@@ -86,7 +88,7 @@ impl Frame {
     pub fn axis(&self, bit: u32) -> Axis {
         if bit >= self.interleaved {
             self.long
-        } else if bit % 2 == 1 {
+        } else if (bit % 2 == 1) == (self.odd == Axis::X) {
             Axis::X
         } else {
             Axis::Y
@@ -112,18 +114,39 @@ pub(super) fn exponent(value: f64) -> i32 {
     }
 }
 
+/// A positive number divided by the power of two below it.
+fn mantissa(value: f64) -> f64 {
+    let [a, b] = split_power(-exponent(value));
+    value * a * b
+}
+
+/// Two factors whose product is 2^e, −2044 ≤ e ≤ 2046.
+pub(super) fn split_power(e: i32) -> [f64; 2] {
+    [power_of_two(e / 2), power_of_two(e - e / 2)]
+}
+
 /// 2^e for −1022 ≤ e ≤ 1023.
 pub(super) fn power_of_two(e: i32) -> f64 {
     f64::from_bits(((e + 1023) as u64) << 52)
 }
 
-/// How many of the bits x gets: more as the box is wider, so that the cells are nearly square.
-fn share_of_x(extent: [f64; 2], bits: i32) -> i32 {
-    match extent {
-        [_, 0.0] => bits,
-        [0.0, _] => 0,
-        [x, y] => ((bits + exponent(x) - exponent(y) + 1) / 2).clamp(0, bits),
-    }
+/// How many of the bits x gets, and which axis is cut first: cells stay within 1 : 2, and are always
+/// cut across their longer side (cutting them lengthwise makes the whole triangulation a tenth slower).
+fn share_of_x(extent: [f64; 2], bits: i32) -> (i32, Axis) {
+    let [x, y] = match extent {
+        [_, 0.0] => return (bits, Axis::X),
+        [0.0, _] => return (0, Axis::Y),
+        [x, y] => [x, y],
+    };
+    let is_wider = mantissa(x) >= mantissa(y);
+    let doubled = bits + exponent(x) - exponent(y);
+    let (x_bits, odd) = match (doubled % 2 != 0, is_wider) {
+        (false, true) => (doubled / 2, Axis::X),
+        (false, false) => (doubled / 2, Axis::Y),
+        (true, true) => ((doubled + 1).div_euclid(2), Axis::Y),
+        (true, false) => ((doubled - 1).div_euclid(2), Axis::X),
+    };
+    (x_bits.clamp(0, bits), odd)
 }
 
 /// Two factors whose product maps `0..=extent` to `0..=2^bits − 1`.

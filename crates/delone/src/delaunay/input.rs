@@ -1,6 +1,6 @@
 //! The first look at the input: finiteness, bounding box, and the class of its coordinates.
 
-use super::frame::{exponent, power_of_two};
+use super::frame::exponent;
 use crate::{Error, Point};
 
 /// The bounding box and the range of magnitudes of a set of points.
@@ -91,11 +91,6 @@ pub(super) enum Class {
     Wide,
 }
 
-/// The two powers of two whose product is 2^`scale`; multiplying by both is exact.
-pub(super) fn scale_factors(scale: i32) -> [f64; 2] {
-    [power_of_two(scale / 2), power_of_two(scale - scale / 2)]
-}
-
 /// Finds the first coordinate that is not finite.
 pub(super) fn first_not_finite(points: &[Point]) -> Option<Error> {
     let index = points.iter().position(|p| !p.is_finite())?;
@@ -105,6 +100,7 @@ pub(super) fn first_not_finite(points: &[Point]) -> Option<Error> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::frame::split_power;
     use super::*;
 
     fn class(values: [f64; 2]) -> Class {
@@ -125,10 +121,10 @@ mod tests {
     #[test]
     fn scaling_is_exact_both_ways() {
         for (value, scale) in [(5e-324, 249 + 1074), (f64::MAX, 249 - 1023), (3.0, 0)] {
-            let [a, b] = scale_factors(scale);
+            let [a, b] = split_power(scale);
             let scaled: f64 = value * a * b;
             assert!((ORDINARY_MIN..=ORDINARY_MAX).contains(&scaled));
-            let [a, b] = scale_factors(-scale);
+            let [a, b] = split_power(-scale);
             assert_eq!(scaled * a * b, value);
         }
     }

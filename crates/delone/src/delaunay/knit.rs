@@ -209,6 +209,15 @@ struct Knit<const FILTERED: bool> {
     base: u32,
 }
 
+/// The base of the next triangle, seen from its left end.
+struct Base {
+    origin: Point,
+    /// The vector from the left end to the right one, and the square of its length.
+    x: f64,
+    y: f64,
+    lift: f64,
+}
+
 /// The candidates for the next apex, one in each lane, relative to the left end of the base.
 struct Candidates {
     vertices: [u32; 2],
@@ -218,7 +227,7 @@ struct Candidates {
     /// Cross products with the base.
     cross: Pair,
     /// Which of them lie above the base.
-    valid: u32,
+    above: u32,
 }
 
 impl<const FILTERED: bool> Knit<FILTERED> {
@@ -277,15 +286,23 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         }
         loop {
             let origin = self.sheet.point(self.left);
-            let base = arm(self.sheet.point(self.right), origin);
-            let base_lift = base[0] * base[0] + base[1] * base[1];
-            let apex = self.candidates(origin, base, base_lift);
-            match apex.valid {
+            let end = self.sheet.point(self.right);
+            let (x, y) = (end.x - origin.x, end.y - origin.y);
+            let lift = x * x + y * y;
+            let base = Base { origin, x, y, lift };
+            let sheet = self.sheet;
+            let inner = [sheet.twin(self.left_ghost), sheet.twin(self.right_ghost)];
+            let behind = inner.map(|h| sheet.corner(h));
+            let (apex, inside) = self.test(&base, behind);
+            if inside != 0 && self.delete(inside, inner, &apex, behind) {
+                continue;
+            }
+            match apex.above {
                 0 => return,
                 LEFT => self.advance_left(apex.vertices[0]),
                 RIGHT => self.advance_right(apex.vertices[1]),
                 _ => {
-                    if self.is_right_inside(&apex, base_lift) {
+                    if self.is_right_inside(&base, &apex) {
                         self.advance_right(apex.vertices[1]);
                     } else {
                         self.advance_left(apex.vertices[0]);
@@ -295,13 +312,77 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         }
     }
 
+    /// Tells which of the next vertices up both hulls lie above the base, and which of those have a
+    /// vertex `behind` them inside the circle through the base.
+    #[inline(always)]
+    fn test(&self, base: &Base, behind: [u32; 2]) -> (Candidates, u32) {
+        let vertices = [
+            self.sheet.corner(self.left_ghost + 1),
+            self.sheet.corner(self.right_ghost + 2),
+        ];
+        let (x, y) = self.arms(base, vertices);
+        let (qx, qy) = self.arms(base, behind);
+        let (bx, by, bl) = (
+            Pair::both(base.x),
+            Pair::both(base.y),
+            Pair::both(base.lift),
+        );
+        let (orient, circle) = (Pair::both(ORIENT2D_BOUND), Pair::both(IN_CIRCLE_BOUND));
+
+        let (plus, minus) = (bx * y, by * x);
+        let cross = plus - minus;
+        let cross_bound = orient * (plus.abs() + minus.abs());
+        let lift = x * x + y * y;
+        let q_lift = qx * qx + qy * qy;
+        // Linear in what is behind, so that little is left to do when that arrives from memory.
+        let det = qx * (bl * y - by * lift) + qy * (bx * lift - bl * x) - q_lift * cross;
+        let det_bound = q_lift * (circle * (lift + bl)) + circle * (lift * bl);
+
+        let is_above = cross.exceeds(cross_bound);
+        let is_inside = is_above & det.exceeds(det_bound);
+        let mut above = is_above.bits() & self.sides;
+        let mut inside = is_inside.bits() & self.sides;
+        let [cross_sure, det_sure] = [
+            cross.abs().exceeds(cross_bound),
+            det.abs().exceeds(det_bound),
+        ];
+        let sure = (cross_sure & det_sure).bits();
+        if !FILTERED || !sure & self.sides != 0 {
+            let sure = [cross_sure, det_sure].map(|mask| if FILTERED { mask.bits() } else { 0 });
+            let ends = [self.left, self.right];
+            [above, inside] =
+                settle::<FILTERED>(self.sheet, ends, vertices, behind, sure, [above, inside]);
+            above &= self.sides;
+            inside &= self.sides;
+        }
+        let apex = Candidates {
+            vertices,
+            x,
+            y,
+            lift,
+            cross,
+            above,
+        };
+        (apex, inside)
+    }
+
+    /// The vectors from the base's left end to two vertices, one in each lane.
+    #[inline(always)]
+    fn arms(&self, base: &Base, vertices: [u32; 2]) -> (Pair, Pair) {
+        let (l, r) = (self.sheet.point(vertices[0]), self.sheet.point(vertices[1]));
+        (
+            Pair::new(l.x, r.x) - Pair::both(base.origin.x),
+            Pair::new(l.y, r.y) - Pair::both(base.origin.y),
+        )
+    }
+
     /// Whether the right candidate lies inside the circle through the base and the left one.
     #[inline(always)]
-    fn is_right_inside(&self, apex: &Candidates, base_lift: f64) -> bool {
-        let [l, r] = [apex.lift.left(), apex.lift.right()];
+    fn is_right_inside(&self, base: &Base, apex: &Candidates) -> bool {
+        let (l, r) = (apex.lift.left(), apex.lift.right());
         let mixed = apex.x.left() * apex.y.right() - apex.y.left() * apex.x.right();
-        let det = r * apex.cross.left() - l * apex.cross.right() + base_lift * mixed;
-        let bound = IN_CIRCLE_BOUND * (l * r + (l + r) * base_lift);
+        let det = r * apex.cross.left() - l * apex.cross.right() + base.lift * mixed;
+        let bound = IN_CIRCLE_BOUND * (l * r + (l + r) * base.lift);
         if FILTERED && det > bound {
             false
         } else if FILTERED && det < -bound {
@@ -312,89 +393,19 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         }
     }
 
-    /// The next vertices up both hulls, after deleting the edges that their circles forbid.
+    /// Deletes the edges to the candidates whose bits are set; returns whether there was one.
     #[inline(always)]
-    fn candidates(&self, origin: Point, base: [f64; 2], base_lift: f64) -> Candidates {
-        let sheet = self.sheet;
-        let [ox, oy] = [Pair::both(origin.x), Pair::both(origin.y)];
-        let [bx, by, bl] = [
-            Pair::both(base[0]),
-            Pair::both(base[1]),
-            Pair::both(base_lift),
-        ];
-        loop {
-            let vertices = [
-                sheet.corner(self.left_ghost + 1),
-                sheet.corner(self.right_ghost + 2),
-            ];
-            let inner = [sheet.twin(self.left_ghost), sheet.twin(self.right_ghost)];
-            let behind = inner.map(|h| sheet.corner(h));
-
-            let [l, r] = vertices.map(|v| sheet.point(v));
-            let (x, y) = (Pair::new(l.x, r.x) - ox, Pair::new(l.y, r.y) - oy);
-            let (plus, minus) = (bx * y, by * x);
-            let cross = plus - minus;
-            let doubt = Pair::both(ORIENT2D_BOUND) * (plus.abs() + minus.abs());
-            let mut valid = cross.exceeds(doubt);
-            let unsure = !cross.abs().exceeds(doubt) & self.sides;
-            valid &= self.sides;
-
-            let [l, r] = behind.map(|v| sheet.point(v));
-            let (qx, qy) = (Pair::new(l.x, r.x) - ox, Pair::new(l.y, r.y) - oy);
-            let lift = x * x + y * y;
-            let q_lift = qx * qx + qy * qy;
-            let det = lift * (bx * qy - by * qx) - q_lift * cross - bl * (x * qy - y * qx);
-            let doubt = Pair::both(IN_CIRCLE_BOUND) * (q_lift * (lift + bl) + lift * bl);
-            let mut inside = det.exceeds(doubt);
-            let mut in_doubt = !det.abs().exceeds(doubt);
-            if !FILTERED || unsure != 0 {
-                valid = exact_valid::<FILTERED>(
-                    sheet,
-                    [self.left, self.right],
-                    vertices,
-                    if FILTERED { unsure } else { self.sides },
-                    valid,
-                );
-            }
-            if !FILTERED {
-                in_doubt = LEFT | RIGHT;
-            }
-            inside &= valid;
-            in_doubt &= valid;
-            if in_doubt != 0 {
-                inside = exact_inside::<FILTERED>(
-                    sheet,
-                    [self.left, self.right],
-                    vertices,
-                    behind,
-                    in_doubt,
-                    inside,
-                );
-            }
-            if inside != 0 {
-                // The sentinel of infinity is a far, but finite point.
-                if inside & LEFT != 0 && behind[0] != sheet.infinite() {
-                    self.delete_left(inner[0], vertices[0], behind[0]);
-                } else {
-                    inside &= !LEFT;
-                }
-                if inside & RIGHT != 0 && behind[1] != sheet.infinite() {
-                    self.delete_right(inner[1], vertices[1], behind[1]);
-                } else {
-                    inside &= !RIGHT;
-                }
-            }
-            if inside == 0 {
-                return Candidates {
-                    vertices,
-                    x,
-                    y,
-                    lift,
-                    cross,
-                    valid,
-                };
-            }
+    fn delete(&self, inside: u32, inner: [u32; 2], apex: &Candidates, behind: [u32; 2]) -> bool {
+        // The sentinel of infinity, a far but finite point, may pass the filter.
+        let left = inside & LEFT != 0 && behind[0] != self.sheet.infinite();
+        let right = inside & RIGHT != 0 && behind[1] != self.sheet.infinite();
+        if left {
+            self.delete_left(inner[0], apex.vertices[0], behind[0]);
         }
+        if right {
+            self.delete_right(inner[1], apex.vertices[1], behind[1]);
+        }
+        left | right
     }
 
     /// Deletes the edge left → apex: its triangle becomes the ghost of behind → apex.
@@ -448,42 +459,32 @@ impl<const FILTERED: bool> Knit<FILTERED> {
     }
 }
 
-/// Replaces the bits of `valid` named by `unsure` by exact ones.
+/// Decides exactly what the filter left open: which `vertices` lie above the base, and which of
+/// those have a vertex `behind` them inside the circle. `sure` and `found` hold the filter's two
+/// answers, a bit a side.
 #[cold]
 #[inline(never)]
-fn exact_valid<const FILTERED: bool>(
+fn settle<const FILTERED: bool>(
     sheet: Sheet,
-    base: [u32; 2],
-    vertices: [u32; 2],
-    unsure: u32,
-    valid: u32,
-) -> u32 {
-    exact_bits(unsure, valid, |side| {
-        exact_is_left::<FILTERED>(sheet, base[0], base[1], vertices[side])
-    })
-}
-
-/// Replaces the bits of `inside` named by `unsure` by exact ones.
-#[cold]
-#[inline(never)]
-fn exact_inside<const FILTERED: bool>(
-    sheet: Sheet,
-    base: [u32; 2],
+    [left, right]: [u32; 2],
     vertices: [u32; 2],
     behind: [u32; 2],
-    unsure: u32,
-    inside: u32,
-) -> u32 {
-    exact_bits(unsure, inside, |side| {
-        exact_in_circle::<FILTERED>(sheet, base[0], base[1], vertices[side], behind[side])
-    })
-}
-
-fn exact_bits(unsure: u32, bits: u32, exact: impl Fn(usize) -> bool) -> u32 {
-    (0..2).fold(bits, |bits, side| match unsure >> side & 1 {
-        0 => bits,
-        _ => bits & !(1 << side) | u32::from(exact(side)) << side,
-    })
+    sure: [u32; 2],
+    found: [u32; 2],
+) -> [u32; 2] {
+    let mut settled = [0; 2];
+    for side in 0..2 {
+        let known = |k: usize| (sure[k] >> side & 1 == 1).then_some(found[k] >> side & 1 == 1);
+        let (vertex, behind) = (vertices[side], behind[side]);
+        let above =
+            known(0).unwrap_or_else(|| exact_is_left::<FILTERED>(sheet, left, right, vertex));
+        let inside = above
+            && known(1)
+                .unwrap_or_else(|| exact_in_circle::<FILTERED>(sheet, left, right, vertex, behind));
+        settled[0] |= u32::from(above) << side;
+        settled[1] |= u32::from(inside) << side;
+    }
+    settled
 }
 
 /// The handle of the face that owns half-edge `h`, and the half-edges after and before `h`.

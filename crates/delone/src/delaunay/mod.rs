@@ -31,7 +31,7 @@ use crate::{Error, Mesh, Phase, Point, Triangulation, Watch};
 use divide::Divide;
 use frame::Frame;
 use input::{Class, Extent};
-use order::Ordered;
+use order::{Ordered, Radix};
 use parallel::Workers;
 use sheet::Sheet;
 
@@ -136,12 +136,12 @@ fn conquer<const FILTERED: bool>(
     watch: &dyn Watch,
 ) -> Result<Triangulation, Error> {
     let n = points.len();
-    let bits = order::key_bits(n);
-    let frame = Frame::new(extent.min, extent.max, bits);
+    let radix = Radix::for_points(n);
+    let frame = Frame::new(extent.min, extent.max, radix.bits);
     let Ordered {
         points: mut ordered,
         mut keys,
-    } = order::order(&points, &frame, bits, scale, workers, watch).ok_or(Error::Cancelled)?;
+    } = order::order(&points, &frame, radix, scale, workers, watch).ok_or(Error::Cancelled)?;
 
     let mut corners = memory::zeroed(2 * n);
     let mut twins = memory::zeroed(2 * n);

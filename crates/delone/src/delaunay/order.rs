@@ -1,15 +1,11 @@
 //! Spatial order: Morton keys, a stable radix sort, and the points themselves moved, so that
 //! neighbours in the plane become neighbours in memory.
 
-use super::frame::Frame;
-use super::input::scale_factors;
+use super::frame::{Frame, split_power};
 use super::memory::zeroed;
 use super::parallel::Workers;
 use crate::{Phase, Point, Watch};
 
-/// Bits of one radix pass: 512 write streams still fit the first-level caches.
-const DIGIT: u32 = 9;
-const BUCKETS: usize = 1 << DIGIT;
 /// Elements between two looks at the watch.
 const BLOCK: usize = 1 << 18;
 /// Up to this size a comparison sort is as fast as clearing the histograms.
@@ -33,7 +29,7 @@ const FAR: f64 = f64::from_bits((1023 + 400) << 52);
 pub(super) fn order(
     points: &[Point],
     frame: &Frame,
-    bits: u32,
+    radix: Radix,
     scale: i32,
     workers: Workers,
     watch: &dyn Watch,
@@ -59,7 +55,7 @@ pub(super) fn order(
         keys[..n].sort_unstable();
         keys
     } else {
-        radix_sort(keys, bits, chunk, workers, watch)?
+        radix_sort(keys, radix, chunk, workers, watch)?
     };
     keys[n] = u64::MAX;
     watch.progress(Phase::Sort, 2, 3);
@@ -68,42 +64,59 @@ pub(super) fn order(
     Some(Ordered { points, keys })
 }
 
-/// Sorts all but the last element by the `bits` low bits of their high halves, stably.
+/// Sorts all but the last element by the low bits of their high halves, stably.
 fn radix_sort(
     mut keys: Vec<u64>,
-    bits: u32,
+    radix: Radix,
     chunk: usize,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<Vec<u64>> {
     let n = keys.len() - 1;
     let mut sorted = zeroed::<u64>(n + 1);
-    for shift in (32..32 + bits).step_by(DIGIT as usize) {
-        pass(&keys[..n], &mut sorted[..n], shift, chunk, workers, watch)?;
+    for shift in (32..32 + radix.bits).step_by(radix.digit as usize) {
+        let digit = Digit {
+            shift,
+            buckets: 1 << radix.digit,
+        };
+        pass(&keys[..n], &mut sorted[..n], digit, chunk, workers, watch)?;
         std::mem::swap(&mut keys, &mut sorted);
     }
     Some(keys)
 }
 
-/// One stable counting pass over the digit at `shift`, each chunk to its own places.
+/// A digit of a key: which bucket a counting pass puts it in.
+#[derive(Clone, Copy)]
+struct Digit {
+    shift: u32,
+    buckets: usize,
+}
+
+impl Digit {
+    #[inline(always)]
+    fn of(self, key: u64) -> usize {
+        (key >> self.shift) as usize & (self.buckets - 1)
+    }
+}
+
+/// One stable counting pass over a digit, each chunk to its own places.
 fn pass(
     from: &[u64],
     to: &mut [u64],
-    shift: u32,
+    digit: Digit,
     chunk: usize,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<()> {
-    let digit = |key: u64| (key >> shift) as usize % BUCKETS;
     let mut counts = workers.map(from.chunks(chunk).collect(), |keys: &[u64]| {
-        let mut counts = [0u32; BUCKETS];
+        let mut counts = vec![0u32; digit.buckets];
         for &key in keys {
-            counts[digit(key)] += 1;
+            counts[digit.of(key)] += 1;
         }
         counts
     });
     let mut next = 0;
-    for bucket in 0..BUCKETS {
+    for bucket in 0..digit.buckets {
         for counts in &mut counts {
             next += std::mem::replace(&mut counts[bucket], next);
         }
@@ -111,13 +124,13 @@ fn pass(
     debug_assert_eq!(next as usize, to.len());
     let to = Places(to.as_mut_ptr());
     let jobs = from.chunks(chunk).zip(counts).collect();
-    let finished = workers.map(jobs, |(keys, mut places): (&[u64], [u32; BUCKETS])| {
+    let finished = workers.map(jobs, |(keys, mut places): (&[u64], Vec<u32>)| {
         for block in keys.chunks(BLOCK) {
             if watch.is_cancelled() {
                 return None;
             }
             for &key in block {
-                let place = &mut places[digit(key)];
+                let place = &mut places[digit.of(key)];
                 // SAFETY: the counts of all chunks and buckets cover 0..n once, and this chunk
                 // has exactly as many keys of this digit as it has places.
                 unsafe { to.put(*place as usize, key) };
@@ -156,7 +169,7 @@ fn gather(
     watch: &dyn Watch,
 ) -> Option<Vec<Point>> {
     let n = keys.len();
-    let factors = scale_factors(scale);
+    let factors = split_power(scale);
     let mut ordered = zeroed::<Point>(n + 1);
     ordered[n] = Point::new(FAR, FAR);
     let chunk = workers.chunk_len(n, 4).min(BLOCK);
@@ -180,12 +193,23 @@ fn gather(
     Some(ordered)
 }
 
-/// How many bits of key order `n` points: enough that few points share a cell.
-pub(super) fn key_bits(n: usize) -> u32 {
-    match n {
-        0x401..0x2000 => 2 * DIGIT,
-        0x2000..0x100_0000 => 3 * DIGIT,
-        _ => 32,
+/// How keys are sorted: the number of their bits, and of the bits sorted in one pass.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Radix {
+    pub bits: u32,
+    digit: u32,
+}
+
+impl Radix {
+    /// Chooses for `n` points: enough bits that few points share a cell, in as few passes as the
+    /// caches allow (4096 write streams still do, in huge pages).
+    pub fn for_points(n: usize) -> Self {
+        let [bits, digit] = match n {
+            0x401..0x2000 => [18, 9],
+            0x2000..0x20_0000 => [24, 12],
+            _ => [32, 11],
+        };
+        Self { bits, digit }
     }
 }
 
@@ -204,10 +228,10 @@ mod tests {
 
     fn ordered(points: &[Point], threads: usize) -> Ordered {
         let extent = Extent::of(points);
-        let bits = key_bits(points.len());
-        let frame = Frame::new(extent.min, extent.max, bits);
+        let radix = Radix::for_points(points.len());
+        let frame = Frame::new(extent.min, extent.max, radix.bits);
         with_workers(Some(threads), |workers| {
-            order(points, &frame, bits, 0, workers, &())
+            order(points, &frame, radix, 0, workers, &())
         })
         .unwrap()
         .unwrap()

@@ -3,7 +3,7 @@
 //! On x86-64 these are SSE2 registers, part of every such processor; elsewhere plain arrays, with
 //! the same results bit for bit.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, BitAnd, Mul, Sub};
 
 #[cfg(not(target_arch = "x86_64"))]
 use plain as lanes;
@@ -40,10 +40,31 @@ impl Pair {
         Self(lanes::abs(self.0))
     }
 
-    /// Bit 0: left exceeds; bit 1: right exceeds.
+    /// Marks the lanes in which this is greater; never with NaN.
     #[inline(always)]
-    pub fn exceeds(self, other: Self) -> u32 {
-        lanes::exceeds(self.0, other.0)
+    pub fn exceeds(self, other: Self) -> Mask {
+        Mask(lanes::exceeds(self.0, other.0))
+    }
+}
+
+/// A mark in each lane.
+#[derive(Clone, Copy)]
+pub(super) struct Mask(lanes::Marks);
+
+impl Mask {
+    /// Bit 0: the left lane is marked; bit 1: the right one.
+    #[inline(always)]
+    pub fn bits(self) -> u32 {
+        lanes::bits(self.0)
+    }
+}
+
+impl BitAnd for Mask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(lanes::and(self.0, other.0))
     }
 }
 
@@ -79,6 +100,7 @@ mod sse2 {
     use std::arch::x86_64::*;
 
     pub type Lanes = __m128d;
+    pub type Marks = __m128d;
 
     // SAFETY, of every block here: SSE2 is part of x86-64, and no instruction touches memory.
 
@@ -101,9 +123,21 @@ mod sse2 {
     }
 
     #[inline(always)]
-    pub fn exceeds(a: Lanes, b: Lanes) -> u32 {
+    pub fn exceeds(a: Lanes, b: Lanes) -> Marks {
         // SAFETY: see above.
-        unsafe { _mm_movemask_pd(_mm_cmpgt_pd(a, b)) as u32 }
+        unsafe { _mm_cmpgt_pd(a, b) }
+    }
+
+    #[inline(always)]
+    pub fn and(a: Marks, b: Marks) -> Marks {
+        // SAFETY: see above.
+        unsafe { _mm_and_pd(a, b) }
+    }
+
+    #[inline(always)]
+    pub fn bits(a: Marks) -> u32 {
+        // SAFETY: see above.
+        unsafe { _mm_movemask_pd(a) as u32 }
     }
 
     #[inline(always)]
@@ -129,6 +163,7 @@ mod sse2 {
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod plain {
     pub type Lanes = [f64; 2];
+    pub type Marks = u32;
 
     #[inline(always)]
     pub fn new(left: f64, right: f64) -> Lanes {
@@ -146,8 +181,18 @@ mod plain {
     }
 
     #[inline(always)]
-    pub fn exceeds(a: Lanes, b: Lanes) -> u32 {
+    pub fn exceeds(a: Lanes, b: Lanes) -> Marks {
         u32::from(a[0] > b[0]) | u32::from(a[1] > b[1]) << 1
+    }
+
+    #[inline(always)]
+    pub fn and(a: Marks, b: Marks) -> Marks {
+        a & b
+    }
+
+    #[inline(always)]
+    pub fn bits(a: Marks) -> u32 {
+        a
     }
 
     #[inline(always)]
@@ -196,7 +241,14 @@ mod tests {
                 assert!(same(sse2::add(s, t), plain::add(p, q)));
                 assert!(same(sse2::sub(s, t), plain::sub(p, q)));
                 assert!(same(sse2::mul(s, t), plain::mul(p, q)));
-                assert_eq!(sse2::exceeds(s, t), plain::exceeds(p, q));
+                let [above, below] = [sse2::exceeds(s, t), sse2::exceeds(t, s)];
+                let [over, under] = [plain::exceeds(p, q), plain::exceeds(q, p)];
+                assert_eq!(sse2::bits(above), plain::bits(over));
+                assert_eq!(
+                    sse2::bits(sse2::and(above, below)),
+                    plain::bits(plain::and(over, under))
+                );
+                assert_eq!(sse2::bits(sse2::and(above, above)), plain::bits(over));
             }
         }
     }
