@@ -35,27 +35,22 @@ pub(super) fn order(
     watch: &dyn Watch,
 ) -> Option<Ordered> {
     let n = points.len();
-    let mut keys = zeroed::<u64>(n + 1);
     let chunk = workers.chunk_len(n, 1);
+    let mut keys = zeroed::<u64>(n + 1);
     let jobs = keys[..n]
         .chunks_mut(chunk)
         .zip(points.chunks(chunk))
         .zip((0..).step_by(chunk))
         .collect();
-    workers.map(
-        jobs,
-        |((keys, points), first): ((&mut [u64], &[Point]), u64)| {
-            for ((key, &p), index) in keys.iter_mut().zip(points).zip(first..) {
-                *key = u64::from(frame.key(p)) << 32 | index;
-            }
-        },
-    );
+    let counts = workers.map(jobs, |((keys, points), first)| {
+        fill(keys, points, first, frame, radix.digit_at(0))
+    });
     watch.progress(Phase::Sort, 1, 3);
     let mut keys = if n <= FEW {
         keys[..n].sort_unstable();
         keys
     } else {
-        radix_sort(keys, radix, chunk, workers, watch)?
+        radix_sort(keys, radix, counts, workers, watch)?
     };
     keys[n] = u64::MAX;
     watch.progress(Phase::Sort, 2, 3);
@@ -64,22 +59,47 @@ pub(super) fn order(
     Some(Ordered { points, keys })
 }
 
-/// Sorts all but the last element by the low bits of their high halves, stably.
+/// Fills in the keys of the points from index `first` on, and counts their digits.
+fn fill(keys: &mut [u64], points: &[Point], first: u64, frame: &Frame, digit: Digit) -> Vec<u32> {
+    let mut counts = vec![0; digit.buckets];
+    // Small blocks: a key is counted while it is still in the first-level cache.
+    for ((keys, points), first) in keys
+        .chunks_mut(512)
+        .zip(points.chunks(512))
+        .zip((first..).step_by(512))
+    {
+        for ((key, &p), index) in keys.iter_mut().zip(points).zip(first..) {
+            *key = u64::from(frame.key(p)) << 32 | index;
+        }
+        digit.count(keys, &mut counts);
+    }
+    counts
+}
+
+/// Sorts all but the last element by the low bits of their high halves, stably. `counts` holds, a
+/// chunk each, how often each value of the first digit occurs.
 fn radix_sort(
     mut keys: Vec<u64>,
     radix: Radix,
-    chunk: usize,
+    mut counts: Vec<Vec<u32>>,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<Vec<u64>> {
     let n = keys.len() - 1;
+    let chunk = workers.chunk_len(n, 1);
     let mut sorted = zeroed::<u64>(n + 1);
-    for shift in (32..32 + radix.bits).step_by(radix.digit as usize) {
-        let digit = Digit {
-            shift,
-            buckets: 1 << radix.digit,
-        };
-        pass(&keys[..n], &mut sorted[..n], digit, chunk, workers, watch)?;
+    for k in 0..radix.passes() {
+        let digit = radix.digit_at(k);
+        if k > 0 {
+            counts = workers.map(keys[..n].chunks(chunk).collect(), |keys| {
+                let mut counts = vec![0; digit.buckets];
+                digit.count(keys, &mut counts);
+                counts
+            });
+        }
+        let jobs = keys[..n].chunks(chunk).zip(places(counts)).collect();
+        scatter(jobs, &mut sorted[..n], digit, workers, watch)?;
+        counts = Vec::new();
         std::mem::swap(&mut keys, &mut sorted);
     }
     Some(keys)
@@ -97,34 +117,39 @@ impl Digit {
     fn of(self, key: u64) -> usize {
         (key >> self.shift) as usize & (self.buckets - 1)
     }
+
+    fn count(self, keys: &[u64], counts: &mut [u32]) {
+        for &key in keys {
+            counts[self.of(key)] += 1;
+        }
+    }
 }
 
-/// One stable counting pass over a digit, each chunk to its own places.
-fn pass(
-    from: &[u64],
-    to: &mut [u64],
-    digit: Digit,
-    chunk: usize,
-    workers: Workers,
-    watch: &dyn Watch,
-) -> Option<()> {
-    let mut counts = workers.map(from.chunks(chunk).collect(), |keys: &[u64]| {
-        let mut counts = vec![0u32; digit.buckets];
-        for &key in keys {
-            counts[digit.of(key)] += 1;
-        }
-        counts
-    });
+/// Turns counts, a chunk each, into the places where each chunk's keys of each bucket begin.
+fn places(mut counts: Vec<Vec<u32>>) -> Vec<Vec<u32>> {
     let mut next = 0;
-    for bucket in 0..digit.buckets {
+    for bucket in 0..counts.first().map_or(0, Vec::len) {
         for counts in &mut counts {
             next += std::mem::replace(&mut counts[bucket], next);
         }
     }
-    debug_assert_eq!(next as usize, to.len());
+    counts
+}
+
+/// One stable counting pass over a digit, each chunk to its own places.
+fn scatter(
+    jobs: Vec<(&[u64], Vec<u32>)>,
+    to: &mut [u64],
+    digit: Digit,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<()> {
+    debug_assert_eq!(
+        jobs.iter().map(|(keys, _)| keys.len()).sum::<usize>(),
+        to.len()
+    );
     let to = Places(to.as_mut_ptr());
-    let jobs = from.chunks(chunk).zip(counts).collect();
-    let finished = workers.map(jobs, |(keys, mut places): (&[u64], Vec<u32>)| {
+    let finished = workers.map(jobs, |(keys, mut places)| {
         for block in keys.chunks(BLOCK) {
             if watch.is_cancelled() {
                 return None;
@@ -205,11 +230,24 @@ impl Radix {
     /// caches allow (4096 write streams still do, in huge pages).
     pub fn for_points(n: usize) -> Self {
         let [bits, digit] = match n {
-            0x401..0x2000 => [18, 9],
-            0x2000..0x20_0000 => [24, 12],
+            // Sorted by comparison, in no pass at all.
+            0..=FEW => [32, 0],
+            ..0x2000 => [18, 9],
+            ..0x20_0000 => [24, 12],
             _ => [32, 11],
         };
         Self { bits, digit }
+    }
+
+    fn passes(self) -> u32 {
+        self.bits.div_ceil(self.digit)
+    }
+
+    fn digit_at(self, pass: u32) -> Digit {
+        Digit {
+            shift: 32 + pass * self.digit,
+            buckets: 1 << self.digit,
+        }
     }
 }
 

@@ -60,6 +60,8 @@ pub(super) fn with_workers<R: Send>(
             threads: rayon::current_num_threads(),
         })),
         Some(0 | 1) => Ok(work(Workers { threads: 1 })),
+        // The surrounding pool is the pool asked for: no need to start another.
+        Some(threads) if threads == rayon::current_num_threads() => Ok(work(Workers { threads })),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
