@@ -30,7 +30,7 @@ pub struct Writing {
     to: Option<Format>,
     /// Longer side of pictures, in pixels
     #[arg(long, value_name = "PIXELS", default_value_t = PictureOptions::default().size,
-          value_parser = clap::value_parser!(u32).range(16..=16384))]
+          value_parser = clap::value_parser!(u32).range(16..=8192))]
     size: u32,
 }
 

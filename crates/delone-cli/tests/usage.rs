@@ -1,8 +1,10 @@
-//! Exit codes 2, 3 and 4, and what is said then.
+//! Exit codes 2, 3 and 4, and what is said then; what help and README say.
 
 mod support;
 
 use support::Folder;
+
+const README: &str = include_str!("../../../README.md");
 
 #[test]
 fn wrong_usage_is_2() {
@@ -128,12 +130,42 @@ fn help_and_version_are_0() {
 }
 
 #[test]
-fn help_names_every_key_of_the_json() {
+fn help_and_readme_name_every_key_of_the_json() {
     let folder = Folder::with_points();
     let help = folder.run("triangulate --help", 0).stdout;
     let json = folder.run("triangulate points.csv --json", 0).json();
     for key in json.as_object().expect("an object").keys() {
-        assert!(help.contains(key.as_str()), "{key}");
+        assert!(help.contains(key.as_str()), "help: {key}");
+        assert!(README.contains(&format!("`{key}`")), "README: {key}");
+    }
+}
+
+#[test]
+fn help_and_readme_say_the_same_of_exit_codes() {
+    let help = Folder::new().run("--help", 0).stdout;
+    let (_, codes) = help.split_once("Exit codes:\n").expect("the codes");
+    assert_eq!(codes.lines().count(), 6);
+    for line in codes.lines() {
+        let (code, meaning) = line.trim().split_once(' ').expect("a code");
+        let row = format!("| {code} | {} |", meaning.trim());
+        assert!(README.contains(&row), "the README lacks: {row}");
+    }
+}
+
+#[test]
+fn the_examples_of_the_readme_run() {
+    let folder = Folder::with_points();
+    let (_, section) = README.split_once("## Command line").expect("a section");
+    let (section, _) = section.split_once("\n## ").expect("a section after it");
+    let examples = section
+        .lines()
+        .filter_map(|line| line.strip_prefix("delone "))
+        .map(|line| line.split('#').next().unwrap_or(line).trim());
+    // Samples come first, for others read them.
+    let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
+    assert_eq!((samples.len(), others.len()), (1, 4));
+    for example in samples.iter().chain(&others) {
+        folder.run(&example.replace("1000000", "1000"), 0);
     }
 }
 

@@ -1,15 +1,47 @@
-//! Exact, canonical Delaunay triangulation of points in the plane.
-//!
-//! A point set has exactly *one* triangulation here: duplicates are merged, every predicate is
-//! exact, and points on a common circle are told apart by a symbolic perturbation that depends on
-//! coordinates alone. Builder, number of threads and order of the input do not change the set of
-//! triangles.
+//! Exact, canonical, fast Delaunay triangulation of points in the plane.
 //!
 //! ```
-//! let t = delone::triangulate([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.5, 0.4)])?;
+//! let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (1.0, 1.0)];
+//! let t = delone::triangulate(points)?;
+//!
 //! assert_eq!(t.num_triangles(), 4);
-//! # Ok::<(), delone::Error>(())
+//! for corners in t.triangles() {
+//!     let [a, b, c] = corners.map(|v| t.point(v)); // counter-clockwise
+//!     assert!(delone::predicates::orient2d(a, b, c) == delone::predicates::Orientation::Left);
+//! }
+//! // Whoever does not trust this library may have a proof.
+//! delone::check::verify(t.points(), t.triangles(), &())?.into_result()?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Guarantees
+//!
+//! - **Exact**: every decision is the true sign, for all finite `f64`, subnormals included. There is
+//!   no tolerance.
+//! - **Canonical**: a point set has exactly *one* triangulation. Equal points are merged, and points
+//!   on a common circle are told apart by a symbolic perturbation that depends on coordinates alone.
+//!   Order of the input, number of threads, builder and machine do not change the set of triangles,
+//!   so a [hash](Triangulation::hash) names it.
+//! - **Total**: no points, one, two, all equal, all on one line: every finite input has a result.
+//!   Refused are coordinates that are not finite and more points than 32-bit ids can number; the
+//!   [`Error`] names the culprit. Nothing panics on input.
+//!
+//! Conventions: y points up, counter-clockwise is positive, vertices keep the caller's numbers, and
+//! −0.0 is 0.0.
+//!
+//! # What is where
+//!
+//! - [`triangulate`], [`Delaunay`]: a whole point set, on several threads, watched if you like;
+//!   [`delaunay::Incremental`]: point by point.
+//! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
+//!   [`mesh`]: its half-edges.
+//! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
+//! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
+//!
+//! # Features
+//!
+//! - `rayon` (default): several threads. Without it everything runs on the caller's thread, with
+//!   the identical result.
 
 pub mod check;
 pub mod delaunay;

@@ -50,13 +50,9 @@ impl Legend {
                 text_scale,
             ));
         }
-        for (line, text) in ["smallest", "angle"].into_iter().enumerate() {
-            let y = top - (52.0 - 22.0 * line as f32) * unit;
-            strokes.extend(glyphs::strokes(
-                text,
-                [left, y.max(20.0 * unit)],
-                text_scale,
-            ));
+        let title = title_baselines(top, unit);
+        for (text, y) in ["smallest", "angle"].into_iter().zip(title) {
+            strokes.extend(glyphs::strokes(text, [left, y], text_scale));
         }
         let stroke_width = 1.6 * unit;
         Self {
@@ -64,5 +60,30 @@ impl Legend {
             strokes,
             stroke_width,
         }
+    }
+}
+
+/// Returns the baselines of the title's two lines above a scale that begins at `top`: on the page
+/// even if the drawing is flat, and never upon each other.
+fn title_baselines(top: f32, unit: f32) -> [f32; 2] {
+    let first = (top - 52.0 * unit).max(20.0 * unit);
+    [first, first + 22.0 * unit]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::view::{Page, View};
+    use super::title_baselines;
+    use delone::Point;
+
+    #[test]
+    fn lines_of_the_title_keep_apart_in_flat_pictures() {
+        let page = Page::new(800.0, true);
+        let points = [(0.0, 0.0), (100.0, 0.0), (50.0, 10.0)].map(Point::from);
+        let top = View::new(&points, &page).drawing[0][1];
+        let [first, second] = title_baselines(top, page.unit);
+        assert!(first >= 20.0 * page.unit, "on the page");
+        assert!(second - first >= 22.0 * page.unit, "apart");
+        assert!(second < top, "above the scale");
     }
 }

@@ -14,7 +14,7 @@ const USAGE: &str = "\
 Usage: fuzz-points [--runs N] [--seconds S] [--seed X] [--threads T]
                    [--max-points P] [--incremental-every K] [--naive-every M]
 
-Stops after N runs (default 1000000) or S seconds (default: no limit). A case has 1 to P points
+Stops after N runs or S seconds, without either after 1000000 runs. A case has 1 to P points
 (default 14). Every K-th case (default 1) is built incrementally too, every M-th (default 256) from
 the definition, which takes O(P⁴). 0 means never.";
 
@@ -35,7 +35,7 @@ struct Options {
 impl Options {
     fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut options = Self {
-            runs: 1_000_000,
+            runs: u64::MAX,
             seconds: u64::MAX,
             seed: 0,
             threads: 1,
@@ -58,6 +58,9 @@ impl Options {
             *field = value
                 .parse()
                 .map_err(|_| format!("{name} needs a whole number, not {value:?}"))?;
+        }
+        if options.runs.min(options.seconds) == u64::MAX {
+            options.runs = 1_000_000;
         }
         Ok(options)
     }

@@ -1,0 +1,52 @@
+//! Holds the README to the truth: its five lines are those of `examples/first.rs`, and its output
+//! is theirs.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+thread_local! {
+    static PRINTED: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Shadows the macro of the standard library in the example, to keep what it prints.
+macro_rules! println {
+    ($($argument:tt)*) => {
+        crate::PRINTED.with_borrow_mut(|text| {
+            text.push_str(&format!($($argument)*));
+            text.push('\n');
+        })
+    };
+}
+
+#[path = "../examples/first.rs"]
+mod first;
+
+fn read(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// Returns the body of the example's `main` but for its last line, which is no concern of a reader.
+fn body(example: &str) -> String {
+    let lines = example
+        .lines()
+        .skip_while(|l| !l.contains("fn main"))
+        .skip(1);
+    lines
+        .take_while(|line| line.trim() != "Ok(())")
+        .map(|line| format!("{}\n", line.trim_start()))
+        .collect()
+}
+
+#[test]
+fn the_readme_shows_the_example_and_its_output() {
+    let code = body(&read("examples/first.rs"));
+    assert_eq!(code.lines().count(), 5, "five lines:\n{code}");
+    first::main().expect("five finite points");
+    let output = PRINTED.take();
+    let readme = read("../../README.md");
+    for (language, text) in [("rust", code), ("text", output)] {
+        let block = format!("```{language}\n{text}```\n");
+        assert!(readme.contains(&block), "the README lacks:\n{block}");
+    }
+}
