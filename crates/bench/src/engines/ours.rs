@@ -1,7 +1,7 @@
 //! This project.
 
 use super::Contender;
-use delone::{Delaunay, Point, Triangulation};
+use delone::{Delaunay, Point, Triangulation, check};
 
 /// The default builder on a fixed number of threads.
 pub struct Ours {
@@ -17,11 +17,11 @@ impl Contender for Ours {
         points.into_iter().map(Point::from).collect()
     }
 
-    /// The caller keeps the points: copying them is part of the time.
+    /// The result takes the points over, as spade's does.
     fn triangulate(&self, input: &mut Self::Input) -> Result<Self::Output, String> {
         Delaunay::new()
             .threads(self.threads)
-            .triangulate(input.iter().copied())
+            .triangulate(std::mem::take(input))
             .map_err(|error| error.to_string())
     }
 
@@ -31,5 +31,13 @@ impl Contender for Ours {
 
     fn hash(&self, output: &Self::Output) -> Option<String> {
         Some(output.hash().to_string())
+    }
+
+    fn verify(&self, output: &Self::Output) -> Result<(), String> {
+        check::verify(output.points(), output.triangles(), &())
+            .map_err(|error| error.to_string())?
+            .into_result()
+            .map(drop)
+            .map_err(|defects| defects.to_string())
     }
 }

@@ -346,7 +346,8 @@ impl<const FILTERED: bool> Knit<FILTERED> {
             cross.abs().exceeds(cross_bound),
             det.abs().exceeds(det_bound),
         ];
-        let sure = (cross_sure & det_sure).bits();
+        // Behind what lies below the base, anything may lie, even the base's end.
+        let sure = (cross_sure.except(is_above.except(det_sure))).bits();
         if !FILTERED || !sure & self.sides != 0 {
             let sure = [cross_sure, det_sure].map(|mask| if FILTERED { mask.bits() } else { 0 });
             let ends = [self.left, self.right];

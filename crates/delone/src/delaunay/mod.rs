@@ -143,10 +143,11 @@ fn conquer<const FILTERED: bool>(
         mut keys,
     } = order::order(&points, &frame, radix, scale, workers, watch).ok_or(Error::Cancelled)?;
 
-    let mut corners = memory::zeroed(2 * n);
-    let mut twins = memory::zeroed(2 * n);
+    let mut corners = memory::reserve(2 * n);
+    let mut twins = memory::reserve(2 * n);
+    let rows = (corners.spare_capacity_mut(), twins.spare_capacity_mut());
     // SAFETY: the arrays live to the end of this function and are not touched while the sheet is.
-    let sheet = unsafe { Sheet::new(&mut ordered, &mut keys, &mut corners, &mut twins) };
+    let sheet = unsafe { Sheet::new(&mut ordered, &mut keys, rows) };
     let divide = Divide::<FILTERED> {
         sheet,
         watch,
@@ -159,8 +160,11 @@ fn conquer<const FILTERED: bool>(
     let [triangles, ghosts] = export::compact(sheet, 2 * n - 2, hull.ghost(), merged);
 
     watch.progress(Phase::Export, 0, 1);
-    corners.truncate(triangles + ghosts);
-    twins.truncate(triangles + ghosts);
+    // SAFETY: 2n slots are reserved, and every face that is left has been written.
+    unsafe {
+        corners.set_len(triangles + ghosts);
+        twins.set_len(triangles + ghosts);
+    }
     export::renumber(&mut corners, &keys, workers, watch).ok_or(Error::Cancelled)?;
     let duplicates = if merged {
         export::duplicates(&ordered[..n], &keys)

@@ -2,9 +2,10 @@
 //! neighbours in the plane become neighbours in memory.
 
 use super::frame::{Frame, split_power};
-use super::memory::zeroed;
+use super::memory::reserve;
 use super::parallel::Workers;
 use crate::{Phase, Point, Watch};
+use std::mem::MaybeUninit;
 
 /// Elements between two looks at the watch.
 const BLOCK: usize = 1 << 18;
@@ -36,8 +37,8 @@ pub(super) fn order(
 ) -> Option<Ordered> {
     let n = points.len();
     let chunk = workers.chunk_len(n, 1);
-    let mut keys = zeroed::<u64>(n + 1);
-    let jobs = keys[..n]
+    let mut keys = reserve::<u64>(n + 1);
+    let jobs = keys.spare_capacity_mut()[..n]
         .chunks_mut(chunk)
         .zip(points.chunks(chunk))
         .zip((0..).step_by(chunk))
@@ -45,22 +46,29 @@ pub(super) fn order(
     let counts = workers.map(jobs, |((keys, points), first)| {
         fill(keys, points, first, frame, radix.digit_at(0))
     });
+    // SAFETY: the jobs have written the first n keys.
+    unsafe { keys.set_len(n) };
     watch.progress(Phase::Sort, 1, 3);
     let mut keys = if n <= FEW {
-        keys[..n].sort_unstable();
+        keys.sort_unstable();
         keys
     } else {
         radix_sort(keys, radix, counts, workers, watch)?
     };
-    keys[n] = u64::MAX;
-    watch.progress(Phase::Sort, 2, 3);
-    let points = gather(points, &keys[..n], scale, workers, watch)?;
+    let points = gather(points, &keys, scale, workers, watch)?;
+    keys.push(u64::MAX);
     watch.progress(Phase::Sort, 3, 3);
     Some(Ordered { points, keys })
 }
 
 /// Fills in the keys of the points from index `first` on, and counts their digits.
-fn fill(keys: &mut [u64], points: &[Point], first: u64, frame: &Frame, digit: Digit) -> Vec<u32> {
+fn fill(
+    keys: &mut [MaybeUninit<u64>],
+    points: &[Point],
+    first: u64,
+    frame: &Frame,
+    digit: Digit,
+) -> Vec<u32> {
     let mut counts = vec![0; digit.buckets];
     // Small blocks: a key is counted while it is still in the first-level cache.
     for ((keys, points), first) in keys
@@ -69,14 +77,15 @@ fn fill(keys: &mut [u64], points: &[Point], first: u64, frame: &Frame, digit: Di
         .zip((first..).step_by(512))
     {
         for ((key, &p), index) in keys.iter_mut().zip(points).zip(first..) {
-            *key = u64::from(frame.key(p)) << 32 | index;
+            key.write(u64::from(frame.key(p)) << 32 | index);
         }
-        digit.count(keys, &mut counts);
+        // SAFETY: the loop has written all keys of this block.
+        digit.count(unsafe { keys.assume_init_ref() }, &mut counts);
     }
     counts
 }
 
-/// Sorts all but the last element by the low bits of their high halves, stably. `counts` holds, a
+/// Sorts by the low bits of the high halves, stably, and leaves room for one more. `counts` holds, a
 /// chunk each, how often each value of the first digit occurs.
 fn radix_sort(
     mut keys: Vec<u64>,
@@ -85,22 +94,31 @@ fn radix_sort(
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<Vec<u64>> {
-    let n = keys.len() - 1;
+    let n = keys.len();
     let chunk = workers.chunk_len(n, 1);
-    let mut sorted = zeroed::<u64>(n + 1);
+    let mut sorted = reserve::<u64>(n + 1);
     for k in 0..radix.passes() {
         let digit = radix.digit_at(k);
         if k > 0 {
-            counts = workers.map(keys[..n].chunks(chunk).collect(), |keys| {
+            counts = workers.map(keys.chunks(chunk).collect(), |keys| {
                 let mut counts = vec![0; digit.buckets];
                 digit.count(keys, &mut counts);
                 counts
             });
         }
-        let jobs = keys[..n].chunks(chunk).zip(places(counts)).collect();
-        scatter(jobs, &mut sorted[..n], digit, workers, watch)?;
+        let jobs = keys.chunks(chunk).zip(places(counts)).collect();
+        scatter(
+            jobs,
+            &mut sorted.spare_capacity_mut()[..n],
+            digit,
+            workers,
+            watch,
+        )?;
+        // SAFETY: every key has been put in its place, and the places are 0..n.
+        unsafe { sorted.set_len(n) };
         counts = Vec::new();
         std::mem::swap(&mut keys, &mut sorted);
+        sorted.clear();
     }
     Some(keys)
 }
@@ -139,7 +157,7 @@ fn places(mut counts: Vec<Vec<u32>>) -> Vec<Vec<u32>> {
 /// One stable counting pass over a digit, each chunk to its own places.
 fn scatter(
     jobs: Vec<(&[u64], Vec<u32>)>,
-    to: &mut [u64],
+    to: &mut [MaybeUninit<u64>],
     digit: Digit,
     workers: Workers,
     watch: &dyn Watch,
@@ -148,7 +166,7 @@ fn scatter(
         jobs.iter().map(|(keys, _)| keys.len()).sum::<usize>(),
         to.len()
     );
-    let to = Places(to.as_mut_ptr());
+    let to = Places(to.as_mut_ptr().cast());
     let finished = workers.map(jobs, |(keys, mut places)| {
         for block in keys.chunks(BLOCK) {
             if watch.is_cancelled() {
@@ -195,26 +213,31 @@ fn gather(
 ) -> Option<Vec<Point>> {
     let n = keys.len();
     let factors = split_power(scale);
-    let mut ordered = zeroed::<Point>(n + 1);
-    ordered[n] = Point::new(FAR, FAR);
+    let mut ordered = reserve::<Point>(n + 1);
     let chunk = workers.chunk_len(n, 4).min(BLOCK);
-    let jobs = ordered[..n]
+    let jobs = ordered.spare_capacity_mut()[..n]
         .chunks_mut(chunk)
         .zip(keys.chunks(chunk))
         .collect();
-    let finished = workers.map(jobs, |(ordered, keys): (&mut [Point], &[u64])| {
-        if watch.is_cancelled() {
-            return None;
-        }
-        for (to, &key) in ordered.iter_mut().zip(keys) {
-            let p = points[key as u32 as usize];
-            // Adding zero turns −0.0 into 0.0.
-            let place = |c: f64| c * factors[0] * factors[1] + 0.0;
-            *to = Point::new(place(p.x), place(p.y));
-        }
-        Some(())
-    });
+    let finished = workers.map(
+        jobs,
+        |(ordered, keys): (&mut [MaybeUninit<Point>], &[u64])| {
+            if watch.is_cancelled() {
+                return None;
+            }
+            for (to, &key) in ordered.iter_mut().zip(keys) {
+                let p = points[key as u32 as usize];
+                // Adding zero turns −0.0 into 0.0.
+                let place = |c: f64| c * factors[0] * factors[1] + 0.0;
+                to.write(Point::new(place(p.x), place(p.y)));
+            }
+            Some(())
+        },
+    );
     finished.into_iter().collect::<Option<()>>()?;
+    // SAFETY: the jobs have written the first n points.
+    unsafe { ordered.set_len(n) };
+    ordered.push(Point::new(FAR, FAR));
     Some(ordered)
 }
 
@@ -229,12 +252,15 @@ impl Radix {
     /// Chooses for `n` points: enough bits that few points share a cell, in as few passes as the
     /// caches allow (4096 write streams still do, in huge pages).
     pub fn for_points(n: usize) -> Self {
-        let [bits, digit] = match n {
+        let [bits, digit] = if n <= FEW {
             // Sorted by comparison, in no pass at all.
-            0..=FEW => [32, 0],
-            ..0x2000 => [18, 9],
-            ..0x20_0000 => [24, 12],
-            _ => [32, 11],
+            [32, 0]
+        } else if n < 1 << 13 {
+            [18, 9]
+        } else if n < 1 << 21 {
+            [24, 12]
+        } else {
+            [32, 11]
         };
         Self { bits, digit }
     }

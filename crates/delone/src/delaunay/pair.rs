@@ -59,6 +59,14 @@ impl Mask {
     }
 }
 
+impl Mask {
+    /// Keeps the marks of lanes that `other` does not mark.
+    #[inline(always)]
+    pub fn except(self, other: Self) -> Self {
+        Self(lanes::except(self.0, other.0))
+    }
+}
+
 impl BitAnd for Mask {
     type Output = Self;
 
@@ -135,6 +143,12 @@ mod sse2 {
     }
 
     #[inline(always)]
+    pub fn except(a: Marks, b: Marks) -> Marks {
+        // SAFETY: see above.
+        unsafe { _mm_andnot_pd(b, a) }
+    }
+
+    #[inline(always)]
     pub fn bits(a: Marks) -> u32 {
         // SAFETY: see above.
         unsafe { _mm_movemask_pd(a) as u32 }
@@ -188,6 +202,11 @@ mod plain {
     #[inline(always)]
     pub fn and(a: Marks, b: Marks) -> Marks {
         a & b
+    }
+
+    #[inline(always)]
+    pub fn except(a: Marks, b: Marks) -> Marks {
+        a & !b
     }
 
     #[inline(always)]
@@ -247,6 +266,10 @@ mod tests {
                 assert_eq!(
                     sse2::bits(sse2::and(above, below)),
                     plain::bits(plain::and(over, under))
+                );
+                assert_eq!(
+                    sse2::bits(sse2::except(above, below)),
+                    plain::bits(plain::except(over, under))
                 );
                 assert_eq!(sse2::bits(sse2::and(above, above)), plain::bits(over));
             }

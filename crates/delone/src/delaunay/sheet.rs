@@ -11,6 +11,7 @@
 //! ```
 
 use crate::{HalfEdgeId, Point, VertexId};
+use std::mem::MaybeUninit;
 
 /// Marks a slot that holds neither triangle nor ghost: its point was a duplicate.
 pub(super) const DEAD: u32 = u32::MAX;
@@ -45,12 +46,14 @@ impl Sheet {
     pub unsafe fn new(
         points: &mut [Point],
         keys: &mut [u64],
-        corners: &mut [[VertexId; 3]],
-        twins: &mut [[HalfEdgeId; 3]],
+        (corners, twins): (
+            &mut [MaybeUninit<[VertexId; 3]>],
+            &mut [MaybeUninit<[HalfEdgeId; 3]>],
+        ),
     ) -> Self {
         let num_points = points.len() - 1;
         assert!(keys.len() > num_points && corners.len() >= 2 * num_points);
-        assert_eq!(corners.len(), twins.len());
+        assert!(twins.len() >= 2 * num_points);
         Self {
             points: points.as_mut_ptr(),
             keys: keys.as_mut_ptr(),
