@@ -145,9 +145,15 @@ fn conquer<const FILTERED: bool>(
 
     let mut corners = memory::reserve(2 * n);
     let mut twins = memory::reserve(2 * n);
-    let rows = (corners.spare_capacity_mut(), twins.spare_capacity_mut());
     // SAFETY: the arrays live to the end of this function and are not touched while the sheet is.
-    let sheet = unsafe { Sheet::new(&mut ordered, &mut keys, rows) };
+    let sheet = unsafe {
+        Sheet::new(
+            &mut ordered,
+            &mut keys,
+            corners.spare_capacity_mut(),
+            twins.spare_capacity_mut(),
+        )
+    };
     let divide = Divide::<FILTERED> {
         sheet,
         watch,

@@ -46,10 +46,8 @@ impl Sheet {
     pub unsafe fn new(
         points: &mut [Point],
         keys: &mut [u64],
-        (corners, twins): (
-            &mut [MaybeUninit<[VertexId; 3]>],
-            &mut [MaybeUninit<[HalfEdgeId; 3]>],
-        ),
+        corners: &mut [MaybeUninit<[VertexId; 3]>],
+        twins: &mut [MaybeUninit<[HalfEdgeId; 3]>],
     ) -> Self {
         let num_points = points.len() - 1;
         assert!(keys.len() > num_points && corners.len() >= 2 * num_points);
