@@ -219,7 +219,26 @@ fn every_kind_larger() {
     }
 }
 
-/// Large enough for several tasks and deep recursion in the bulk builder.
+/// Large enough for many tasks in the bulk builder: not only the triangles, but also their order and
+/// that of their corners must not depend on the number of threads.
+#[test]
+fn threads_do_not_change_a_bit() {
+    for kind in [Kind::Uniform, Kind::Lattice { side: 200 }, Kind::Clusters] {
+        let points = kind.points(60_000, 2);
+        let one = bulk(&points, 1);
+        one.mesh().validate().expect("a closed sphere");
+        let mut shuffled = points.clone();
+        Random::new(5).shuffle(&mut shuffled);
+        assert_eq!(bulk(&shuffled, 2).hash(), one.hash(), "{kind:?} shuffled");
+        for threads in [2, 4, 7] {
+            let many = bulk(&points, threads);
+            assert!(many.mesh() == one.mesh(), "{kind:?} on {threads} threads");
+            assert_eq!(many.duplicates(), one.duplicates());
+        }
+    }
+}
+
+/// Deep recursion in the bulk builder, against the incremental one.
 #[test]
 fn hashes_agree_on_large_sets() {
     for kind in [Kind::Uniform, Kind::Lattice { side: 60 }, Kind::Clusters] {

@@ -7,12 +7,15 @@
 //! needs exactly two new faces, one below the lower and one above the upper tangent.
 //!
 //! All signs of one step are taken relative to the left end of the base, so that differences,
-//! lifts and cross products are shared between the tests.
+//! lifts and cross products are shared between the tests. Half of the branches here cannot be
+//! predicted, so what a step costs is mostly its chain from load to branch; arrays of floats are
+//! avoided in it, since a compiler that keeps them in memory makes that chain longer.
 
 use super::pair::Pair;
 use super::sheet::Sheet;
+use super::signs::{exact_in_circle, is_left, settle};
 use crate::Point;
-use crate::predicates::{self, IN_CIRCLE_BOUND, ORIENT2D_BOUND, Orientation};
+use crate::predicates::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
 
 /// No ghost: the handle of a triangulation that is a single point.
 pub(super) const NONE: u32 = u32::MAX;
@@ -103,89 +106,6 @@ fn lower_tangent<const FILTERED: bool>(
         if !moved {
             return (left, right);
         }
-    }
-}
-
-/// Tells whether `c` lies strictly to the left of `a → b`.
-#[inline(always)]
-pub(super) fn is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
-    let origin = sheet.point(a);
-    let [bx, by] = arm(sheet.point(b), origin);
-    let [cx, cy] = arm(sheet.point(c), origin);
-    is_positive::<FILTERED>(bx * cy, by * cx, || {
-        exact_is_left::<FILTERED>(sheet, a, b, c)
-    })
-}
-
-/// Tells whether `d` lies inside the perturbed circle through `a`, `b`, `c`, counter-clockwise.
-#[inline(always)]
-pub(super) fn is_inside<const FILTERED: bool>(
-    sheet: Sheet,
-    a: u32,
-    b: u32,
-    c: u32,
-    d: u32,
-) -> bool {
-    let origin = sheet.point(a);
-    let [b_arm, c_arm, d_arm] = [b, c, d].map(|v| arm(sheet.point(v), origin));
-    let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
-    let [bl, cl, dl] = [b_arm, c_arm, d_arm].map(|p| p[0] * p[0] + p[1] * p[1]);
-    let det = cl * cross(b_arm, d_arm) - dl * cross(b_arm, c_arm) - bl * cross(c_arm, d_arm);
-    let bound = IN_CIRCLE_BOUND * (dl * cl + (dl + cl) * bl);
-    if FILTERED && det > bound {
-        true
-    } else if FILTERED && det < -bound {
-        false
-    } else {
-        exact_in_circle::<FILTERED>(sheet, a, b, c, d)
-    }
-}
-
-/// The sign that the filter here left open. Coordinates of the wide class have not been filtered at
-/// all: the public predicates guard their own filter.
-#[cold]
-#[inline(never)]
-fn exact_is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
-    let [a, b, c] = [a, b, c].map(|v| sheet.point(v));
-    let side = if FILTERED {
-        predicates::orient2d_exact(a, b, c)
-    } else {
-        predicates::orient2d(a, b, c)
-    };
-    side == Orientation::Left
-}
-
-/// Whether `d` lies inside the perturbed circle through `a`, `b`, `c`; infinity lies outside.
-#[cold]
-#[inline(never)]
-fn exact_in_circle<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32, d: u32) -> bool {
-    if d == sheet.infinite() {
-        return false;
-    }
-    let [a, b, c, d] = [a, b, c, d].map(|v| sheet.point(v));
-    if FILTERED {
-        predicates::in_circle_perturbed_exact(a, b, c, d)
-    } else {
-        predicates::in_circle_perturbed(a, b, c, d)
-    }
-}
-
-/// The vector from `origin` to `p`, rounded.
-#[inline(always)]
-fn arm(p: Point, origin: Point) -> [f64; 2] {
-    [p.x - origin.x, p.y - origin.y]
-}
-
-/// The sign of a cross product with products `plus` and `minus`, in doubt from `exact`.
-#[inline(always)]
-fn is_positive<const FILTERED: bool>(plus: f64, minus: f64, exact: impl FnOnce() -> bool) -> bool {
-    let bound = ORIENT2D_BOUND * (plus.abs() + minus.abs());
-    if FILTERED && plus - minus > bound {
-        true
-    } else if FILTERED && plus - minus < -bound {
-        false
-    } else {
-        exact()
     }
 }
 
@@ -334,7 +254,10 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         let cross_bound = orient * (plus.abs() + minus.abs());
         let lift = x * x + y * y;
         let q_lift = qx * qx + qy * qy;
-        // Linear in what is behind, so that little is left to do when that arrives from memory.
+        // Linear in what is behind, so that little is left to do when that arrives from memory. The
+        // bound holds for this form too: up to the last subtraction the terms with qx and qy take
+        // ten roundings, relative to |q|·(bl·|p| + lift·|b|), and the third nine, relative to
+        // q_lift·|b|·|p|; the means of `IN_CIRCLE_BOUND` apply as they stand.
         let det = qx * (bl * y - by * lift) + qy * (bx * lift - bl * x) - q_lift * cross;
         let det_bound = q_lift * (circle * (lift + bl)) + circle * (lift * bl);
 
@@ -458,34 +381,6 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         self.right_ghost = sheet.twin(ghost + 1) - 2;
         self.right = apex;
     }
-}
-
-/// Decides exactly what the filter left open: which `vertices` lie above the base, and which of
-/// those have a vertex `behind` them inside the circle. `sure` and `found` hold the filter's two
-/// answers, a bit a side.
-#[cold]
-#[inline(never)]
-fn settle<const FILTERED: bool>(
-    sheet: Sheet,
-    [left, right]: [u32; 2],
-    vertices: [u32; 2],
-    behind: [u32; 2],
-    sure: [u32; 2],
-    found: [u32; 2],
-) -> [u32; 2] {
-    let mut settled = [0; 2];
-    for side in 0..2 {
-        let known = |k: usize| (sure[k] >> side & 1 == 1).then_some(found[k] >> side & 1 == 1);
-        let (vertex, behind) = (vertices[side], behind[side]);
-        let above =
-            known(0).unwrap_or_else(|| exact_is_left::<FILTERED>(sheet, left, right, vertex));
-        let inside = above
-            && known(1)
-                .unwrap_or_else(|| exact_in_circle::<FILTERED>(sheet, left, right, vertex, behind));
-        settled[0] |= u32::from(above) << side;
-        settled[1] |= u32::from(inside) << side;
-    }
-    settled
 }
 
 /// The handle of the face that owns half-edge `h`, and the half-edges after and before `h`.

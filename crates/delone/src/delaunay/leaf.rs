@@ -1,7 +1,8 @@
 //! The smallest triangulations, written from templates.
 
-use super::knit::{HullVertex, NONE, is_inside, is_left};
+use super::knit::{HullVertex, NONE};
 use super::sheet::Sheet;
+use super::signs::{is_inside, is_left};
 
 /// The four extreme hull vertices; ties are broken as in the frame turned by the cut:
 /// leftmost and rightmost by (x, y), lowest and topmost by (y, −x).

@@ -24,6 +24,7 @@ mod order;
 mod pair;
 mod parallel;
 mod sheet;
+mod signs;
 
 pub use incremental::{Incremental, Inserted};
 
