@@ -3,7 +3,7 @@
 
 use delone::delaunay::Incremental;
 use delone::predicates::{Orientation, orient2d};
-use delone::{Delaunay, Duplicate, Error, Point, Triangulation, VertexId};
+use delone::{Delaunay, Duplicate, Error, Point, Triangulation, VertexId, check};
 use delone_testkit::generate::{Kind, Random, scaled};
 use delone_testkit::naive::{distinct, naive_delaunay, sorted_triangles};
 use proptest::prelude::*;
@@ -236,6 +236,106 @@ fn threads_do_not_change_a_bit() {
             assert_eq!(many.duplicates(), one.duplicates());
         }
     }
+}
+
+/// Large sets that take the bulk builder's rare paths: groups of equal keys larger than a task, a hull
+/// of all points, and rows.
+#[test]
+fn rare_paths_on_large_sets() {
+    let n = 20_000;
+    let mix = |i: u32| f64::from(i.wrapping_mul(2_654_435_761)) / f64::from(u32::MAX);
+    let uniform = (0..n).map(|i| Point::new(mix(i), mix(i ^ 0x5555)));
+    let equal = (0..n).map(|_| Point::new(0.25, 0.5));
+    let outlier = std::iter::once(Point::new(1e9, -1e9));
+    let sets: [(&str, Vec<Point>); 6] = [
+        ("all equal", equal.clone().collect()),
+        ("half equal", equal.chain(uniform.clone()).collect()),
+        ("a far outlier", uniform.clone().chain(outlier).collect()),
+        (
+            "a far pile",
+            uniform
+                .map(|p| Point::new(p.x * 1e-30, p.y))
+                .chain((0..n).map(|_| Point::new(1e9, 1e9)))
+                .collect(),
+        ),
+        (
+            "a row",
+            (0..n).map(|i| Point::new(f64::from(i), 3.0)).collect(),
+        ),
+        (
+            "two rows",
+            (0..n)
+                .map(|i| Point::new(f64::from(i), f64::from(i % 2) * 1e-3))
+                .collect(),
+        ),
+    ];
+    for (name, points) in sets {
+        let one = bulk(&points, 1);
+        one.mesh()
+            .validate()
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
+        check::verify(&points, one.triangles(), &())
+            .unwrap()
+            .into_result()
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(bulk(&points, 3).mesh() == one.mesh(), "{name}");
+    }
+}
+
+/// Halving coordinates against overflow must not make different ones equal.
+#[test]
+fn subnormal_steps_beside_huge_coordinates() {
+    for (a, b) in [(0.0, 5e-324), (1.5e-323, 2e-323)] {
+        let row: Vec<_> = (0..14)
+            .map(|i| Point::new(1e305, if i < 7 { a } else { b }))
+            .collect();
+        assert_agree(&row);
+        let mut turned: Vec<_> = row.iter().map(|p| Point::new(p.y, -p.x)).collect();
+        turned.push(Point::new(1.0, 1.0));
+        assert_agree(&turned);
+    }
+}
+
+/// Nearly cocircular points so small that a filter without a guard underflows, beside one large enough for
+/// the largest coordinate to need no scaling.
+#[test]
+fn tiny_circles_beside_a_coordinate_at_the_border_of_the_class() {
+    for seed in 0..200 {
+        let exponent = -250 - (seed % 20) as i32;
+        let lattice = Kind::UlpLattice.points(10, seed);
+        let mut points: Vec<_> = lattice
+            .iter()
+            .map(|p| Point::new(scaled(p.x, exponent), scaled(p.y, exponent)))
+            .collect();
+        points.push(Point::new(2f64.powi(249), 0.0));
+        assert_agree(&points);
+    }
+}
+
+/// The depth of the recursion must not grow with the range of the exponents.
+#[test]
+fn all_exponents_fit_a_small_stack() {
+    let ladder = || (-1074..1024).map(|e| 2f64.powi(e / 2) * 2f64.powi(e - e / 2));
+    let mut points: Vec<_> = ladder()
+        .flat_map(|c| [Point::new(c, 0.0), Point::new(0.0, c)])
+        .collect();
+    points.extend(
+        (0..20_000).map(|i| Point::new(f64::from(i % 150) * 5e-324, f64::from(i / 150) * 5e-324)),
+    );
+    let small = std::thread::Builder::new().stack_size(1 << 20);
+    let hash = |points: &[Point]| {
+        let t = bulk(points, 1);
+        check::verify(points, t.triangles(), &())
+            .unwrap()
+            .into_result()
+            .unwrap()
+            .hash
+    };
+    small
+        .spawn(move || hash(&points))
+        .unwrap()
+        .join()
+        .expect("no overflow, and the right triangles");
 }
 
 /// Deep recursion in the bulk builder, against the incremental one.

@@ -40,7 +40,7 @@ fn kind(random: &mut Random) -> Kind {
         56..58 => Kind::WideExponents,
         58..60 => Kind::Circle,
         60 => Kind::Collinear,
-        61 => Kind::Clusters,
+        61 => Kind::Borders,
         62 => Kind::ScaledLattice,
         _ => Kind::RawBits,
     }

@@ -98,11 +98,14 @@ pub enum Kind {
     RawBits,
     /// Exponents between −40 and 40, alike.
     WideExponents,
+    /// A tiny lattice, some of its points moved in the last place, with a few points at the borders
+    /// of the classes of coordinates and of the range of `f64`.
+    Borders,
 }
 
 impl Kind {
     /// Every kind, small and degenerate ones first.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Lattice { side: 3 },
         Self::Lattice { side: 5 },
         Self::Lattice { side: 20 },
@@ -117,6 +120,7 @@ impl Kind {
         Self::Circle,
         Self::Uniform,
         Self::WideExponents,
+        Self::Borders,
         Self::RawBits,
     ];
 
@@ -171,6 +175,7 @@ impl Kind {
             }
             Self::RawBits => Point::new(r.finite(), r.finite()),
             Self::WideExponents => Point::new(wide(r), wide(r)),
+            Self::Borders => border(common, r),
         }
     }
 }
@@ -211,6 +216,19 @@ fn nudged(value: f64, r: &mut Random) -> f64 {
 pub fn scaled(value: f64, exponent: i32) -> f64 {
     let half = exponent / 2;
     value * 2f64.powi(half) * 2f64.powi(exponent - half)
+}
+
+fn border(common: &mut Random, r: &mut Random) -> Point {
+    const EXPONENTS: [i32; 10] = [-1074, -1000, -262, -201, -200, 0, 249, 250, 1000, 1023];
+    let (size, far) = (common.choose(&EXPONENTS), common.choose(&EXPONENTS));
+    if r.below(6) == 0 {
+        let [x, y] = [0; 2].map(|_| r.below(3) as f64 - 1.0);
+        return Point::new(scaled(x, far), scaled(y, far));
+    }
+    let p = lattice(r, 4);
+    let [x, y] = [p.x, p.y].map(|c| if c > 0.0 { nudged(c, r) } else { c });
+    // Less than 4 times the size; and lattice points on both sides of zero.
+    Point::new(scaled(x - 1.5, size - 1), scaled(y - 1.5, size - 1))
 }
 
 fn wide(r: &mut Random) -> f64 {

@@ -7,18 +7,25 @@
 //! in parallel without locks; the tree depends on the keys alone, and so do the slots.
 
 use super::frame::{Axis, Frame};
-use super::group::{merge_equal, sort_few, sort_in_own_box};
+use super::group::{Regrouped, merge_equal, sort_in_own_box, sort_lexicographically};
 use super::knit::{HullVertex, merge};
 use super::leaf::{self, Hull, is_below, is_left_of};
 use super::parallel::Workers;
 use super::sheet::Sheet;
 use crate::{Phase, Watch};
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
-/// Ranges up to this size run on one thread and are not interrupted.
-const TASK: usize = 1 << 13;
+/// Ranges up to this size run on one thread and are not interrupted; fewer points where every sign
+/// may need big integers.
+const fn task_size(filtered: bool) -> usize {
+    if filtered { 1 << 13 } else { 1 << 8 }
+}
 /// Groups of equal keys up to this size are cut in lexicographic order, larger ones get new keys.
 const LEXICOGRAPHIC: usize = 12;
+/// After so many boxes within boxes a group is cut in lexicographic order whatever its size. Each box
+/// zooms in by a factor of at least 512, so this is for magnitudes that span the range of `f64`;
+/// without it the depth of the recursion would grow with that range.
+const GENERATIONS: u32 = 8;
 
 /// One run of divide and conquer.
 pub(super) struct Divide<'a, const FILTERED: bool> {
@@ -27,18 +34,18 @@ pub(super) struct Divide<'a, const FILTERED: bool> {
     pub workers: Workers,
     /// Counts the points of finished tasks.
     pub done: AtomicU64,
-    /// Counts the duplicates met.
-    pub duplicates: AtomicU64,
+    /// Whether equal points have been merged.
+    pub has_merged: AtomicBool,
 }
 
 impl<const FILTERED: bool> Divide<'_, FILTERED> {
     /// Triangulates the points at positions `lo..hi`; `None` if the watch cancelled.
     pub fn run(&self, lo: usize, hi: usize, frame: &Frame) -> Option<Hull> {
-        if hi - lo <= TASK {
+        if hi - lo <= task_size(FILTERED) {
             return self.task(lo, hi, frame);
         }
         let Some((mid, axis)) = self.cut(lo, hi, frame) else {
-            return self.regroup(lo, hi, |frame| self.run(lo, hi, frame));
+            return self.run_group(lo, hi, frame);
         };
         let (left, right) = self
             .workers
@@ -52,10 +59,15 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
             return None;
         }
         let hull = self.solve(lo, hi, frame);
-        let done = self.done.fetch_add((hi - lo) as u64, Relaxed) + (hi - lo) as u64;
+        self.report(hi - lo);
+        Some(hull)
+    }
+
+    /// Tells the watch that so many more points are finished.
+    fn report(&self, points: usize) {
+        let done = self.done.fetch_add(points as u64, Relaxed) + points as u64;
         let total = u64::from(self.sheet.infinite());
         self.watch.progress(Phase::Triangulate, done, total);
-        Some(hull)
     }
 
     fn solve(&self, lo: usize, hi: usize, frame: &Frame) -> Hull {
@@ -82,7 +94,7 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
                 let right = self.solve(mid, hi, frame);
                 self.conquer(left, right, mid, axis)
             }
-            None => self.solve_group(lo, hi),
+            None => self.solve_group(lo, hi, frame),
         }
     }
 
@@ -150,60 +162,81 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
         }
     }
 
+    /// Runs a large range whose keys are all equal.
+    #[cold]
+    fn run_group(&self, lo: usize, hi: usize, frame: &Frame) -> Option<Hull> {
+        let hull = if self.is_last(lo, hi, frame) {
+            self.solve_lexicographically(lo, hi)
+        } else {
+            match self.regroup(lo, hi, frame, self.workers, self.watch)? {
+                Regrouped::Sorted(frame) => return self.run(lo, hi, &frame),
+                Regrouped::Equal => self.solve_equal(lo, hi),
+            }
+        };
+        self.report(hi - lo);
+        Some(hull)
+    }
+
     /// Solves a range whose keys are all equal.
     #[cold]
     #[inline(never)]
-    fn solve_group(&self, lo: usize, hi: usize) -> Hull {
-        if hi - lo <= LEXICOGRAPHIC {
-            let distinct = self.sort_lexicographically(lo, hi);
-            self.retire(lo + distinct, hi);
-            return self.solve_sorted(lo, lo + distinct);
+    fn solve_group(&self, lo: usize, hi: usize, frame: &Frame) -> Hull {
+        if self.is_last(lo, hi, frame) {
+            return self.solve_lexicographically(lo, hi);
         }
-        self.regroup(lo, hi, |frame| Some(self.solve(lo, hi, frame)))
-            .expect("solve is not cancelled")
+        match self.regroup(lo, hi, frame, Workers::ONE, &()) {
+            Some(Regrouped::Sorted(frame)) => self.solve(lo, hi, &frame),
+            _ => self.solve_equal(lo, hi),
+        }
     }
 
-    /// Gives a group of equal keys keys of their own, in its own bounding box, and goes on with
-    /// them; if all its points are equal, they are merged.
-    #[cold]
-    #[inline(never)]
+    /// Whether a group of equal keys gets no more keys of its own.
+    fn is_last(&self, lo: usize, hi: usize, frame: &Frame) -> bool {
+        hi - lo <= LEXICOGRAPHIC || frame.generation == GENERATIONS
+    }
+
+    /// Gives a group of equal keys keys of their own, in its own bounding box.
     fn regroup(
         &self,
         lo: usize,
         hi: usize,
-        go_on: impl FnOnce(&Frame) -> Option<Hull>,
-    ) -> Option<Hull> {
-        let frame = {
-            // SAFETY: this subproblem owns lo..hi, and the slices end with this block.
-            let (points, keys) = unsafe { self.sheet.group(lo, hi) };
-            let frame = sort_in_own_box(points, keys);
-            if frame.is_none() {
-                merge_equal(points, keys);
-            }
-            frame
-        };
-        match frame {
-            Some(frame) => go_on(&frame),
-            None => {
-                self.retire(lo + 1, hi);
-                Some(Hull::of_point(lo as u32))
-            }
-        }
-    }
-
-    /// Sorts by x, then y, then index; moves the first of equal points to the front and returns
-    /// the number of distinct ones.
-    fn sort_lexicographically(&self, lo: usize, hi: usize) -> usize {
+        frame: &Frame,
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Option<Regrouped> {
         // SAFETY: this subproblem owns lo..hi, and the slices end with this function.
         let (points, keys) = unsafe { self.sheet.group(lo, hi) };
-        sort_few(points, keys);
-        merge_equal(points, keys)
+        let mut regrouped = sort_in_own_box(points, keys, workers, watch)?;
+        if let Regrouped::Sorted(own) = &mut regrouped {
+            own.generation = frame.generation + 1;
+        }
+        Some(regrouped)
     }
 
-    /// Counts the positions `from..to` as duplicates and empties their slots, except the last two
+    /// Solves points that are all equal, and merged into the first.
+    fn solve_equal(&self, lo: usize, hi: usize) -> Hull {
+        self.retire(lo + 1, hi);
+        Hull::of_point(lo as u32)
+    }
+
+    /// Merges equal points and cuts the others in the order of x, then y.
+    fn solve_lexicographically(&self, lo: usize, hi: usize) -> Hull {
+        let distinct = {
+            // SAFETY: this subproblem owns lo..hi, and the slices end with this block.
+            let (points, keys) = unsafe { self.sheet.group(lo, hi) };
+            sort_lexicographically(points, keys);
+            merge_equal(points, keys)
+        };
+        self.retire(lo + distinct, hi);
+        self.solve_sorted(lo, lo + distinct)
+    }
+
+    /// Notes that the positions `from..to` are duplicates and empties their slots, except the last two
     /// before `2 to`, which belong to the next merge.
     fn retire(&self, from: usize, to: usize) {
-        self.duplicates.fetch_add((to - from) as u64, Relaxed);
+        if from < to {
+            self.has_merged.store(true, Relaxed);
+        }
         for slot in 2 * from - 2..2 * to - 2 {
             self.sheet.kill(3 * slot as u32);
         }

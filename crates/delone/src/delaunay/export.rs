@@ -9,31 +9,29 @@ use crate::{Duplicate, VertexId, Watch};
 ///
 /// `ghost` is the handle of any ghost, `dead` tells whether there are empty slots.
 pub(super) fn compact(sheet: Sheet, slots: usize, ghost: Option<u32>, dead: bool) -> [usize; 2] {
-    let mut homeless: Vec<u32> = hull_ring(sheet, ghost);
-    let ghosts = homeless.len();
+    let slots = 3 * slots as u32;
+    let mut holes = hull_ring(sheet, ghost);
+    let ghosts = holes.len() as u32;
     if dead {
-        homeless.extend(
-            (0..slots as u32)
-                .map(|t| 3 * t)
-                .filter(|&t| sheet.corner(t) == DEAD),
-        );
+        holes.extend((0..slots).step_by(3).filter(|&t| sheet.corner(t) == DEAD));
     }
-    let triangles = slots - homeless.len();
-    let is_triangle = |t: u32| sheet.corner(t) < sheet.infinite();
-    let boundary = 3 * triangles as u32;
-    homeless.retain(|&t| t < boundary);
-    swap_where(sheet, homeless, boundary, slots, is_triangle);
+    let end_of_triangles = slots - 3 * holes.len() as u32;
+    let end_of_ghosts = end_of_triangles + 3 * ghosts;
+    fill(sheet, holes, end_of_triangles, slots, |corner| {
+        corner < sheet.infinite()
+    });
     if dead {
-        let end = boundary + 3 * ghosts as u32;
-        let empty = (boundary..end)
-            .step_by(3)
-            .filter(|&t| sheet.corner(t) == DEAD)
-            .collect();
-        swap_where(sheet, empty, end, slots, |t| {
-            sheet.corner(t) == sheet.infinite()
+        let holes = (end_of_triangles..end_of_ghosts).step_by(3);
+        let empty = holes.filter(|&t| sheet.corner(t) == DEAD).collect();
+        fill(sheet, empty, end_of_ghosts, slots, |corner| {
+            corner == sheet.infinite()
         });
     }
-    [triangles, ghosts]
+    [
+        end_of_triangles / 3,
+        end_of_ghosts / 3 - end_of_triangles / 3,
+    ]
+    .map(|count| count as usize)
 }
 
 /// The handles of all ghosts, in the order of the hull.
@@ -42,18 +40,19 @@ fn hull_ring(sheet: Sheet, first: Option<u32>) -> Vec<u32> {
     std::iter::successors(first, after).collect()
 }
 
-/// Swaps the faces `holes` with the faces from handle `start` on that are `wanted`, in order.
-fn swap_where(
-    sheet: Sheet,
-    mut holes: Vec<u32>,
-    start: u32,
-    slots: usize,
-    wanted: impl Fn(u32) -> bool,
-) {
+/// Fills the `holes` below handle `end`, in order, with the faces from there on whose first corner is
+/// `wanted`. A ghost in a hole takes the place of what fills it.
+fn fill(sheet: Sheet, mut holes: Vec<u32>, end: u32, slots: u32, wanted: impl Fn(u32) -> bool) {
+    holes.retain(|&t| t < end);
     holes.sort_unstable();
-    let found = (start..3 * slots as u32).step_by(3).filter(|&t| wanted(t));
-    for (hole, face) in holes.into_iter().zip(found.collect::<Vec<_>>()) {
-        swap(sheet, hole, face);
+    let mut faces = (end..slots).step_by(3).filter(|&t| wanted(sheet.corner(t)));
+    for hole in holes {
+        let face = faces.next().expect("bug: more holes than faces");
+        if sheet.corner(hole) == DEAD {
+            sheet.relocate(face, hole);
+        } else {
+            swap(sheet, hole, face);
+        }
     }
 }
 

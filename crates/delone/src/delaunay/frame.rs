@@ -18,8 +18,10 @@ pub(super) enum Axis {
 /// Turns points of one bounding box into keys, and bits of keys into axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
-    /// One half where a difference of two coordinates might overflow, else one.
-    half: f64,
+    /// How many boxes this one lies in: a group of equal keys gets a frame of its own.
+    pub generation: u32,
+    /// For each axis one half if a difference of two coordinates might overflow, else one.
+    half: [f64; 2],
     origin: [f64; 2],
     /// Cells per unit, in two factors: one alone could leave the range of `f64`.
     scale: [[f64; 2]; 2],
@@ -39,21 +41,21 @@ impl Frame {
     ///
     /// `bits` is at most 32.
     pub fn new(min: [f64; 2], max: [f64; 2], bits: u32) -> Self {
-        let largest = max[0]
-            .abs()
-            .max(max[1].abs())
-            .max(min[0].abs())
-            .max(min[1].abs());
-        let half = if largest > power_of_two(1000) {
-            0.5
-        } else {
-            1.0
-        };
-        let origin = min.map(|c| half * c);
-        let extent = [0, 1].map(|k| half * max[k] - origin[k]);
+        // Axis by axis: halving small coordinates could make different ones equal.
+        let half = [0, 1].map(|k| {
+            let largest = f64::max(min[k].abs(), max[k].abs());
+            if largest > power_of_two(1000) {
+                0.5
+            } else {
+                1.0
+            }
+        });
+        let origin = [0, 1].map(|k| half[k] * min[k]);
+        let extent = [0, 1].map(|k| half[k] * max[k] - origin[k]);
         let (x_bits, odd) = share_of_x(extent, bits as i32);
         let y_bits = bits as i32 - x_bits;
         Self {
+            generation: 0,
             half,
             origin,
             scale: [factors(extent[0], x_bits), factors(extent[1], y_bits)],
@@ -79,7 +81,8 @@ impl Frame {
 
     #[inline(always)]
     fn cell(&self, c: f64, axis: usize) -> u32 {
-        let t = (self.half * c - self.origin[axis]) * self.scale[axis][0] * self.scale[axis][1];
+        let t =
+            (self.half[axis] * c - self.origin[axis]) * self.scale[axis][0] * self.scale[axis][1];
         (t + TO_INTEGER).to_bits() as u32
     }
 
@@ -193,9 +196,11 @@ mod tests {
     fn the_corners_of_any_box_get_different_keys() {
         for (i, &a) in LADDER.iter().enumerate() {
             for &b in &LADDER[i + 1..] {
-                for bits in [18, 27, 32] {
-                    for (min, max) in [([a, 0.0], [b, 0.0]), ([0.0, a], [0.0, b]), ([a, a], [b, b])]
-                    {
+                for bits in [18, 24, 32] {
+                    let along = LADDER
+                        .iter()
+                        .flat_map(|&m| [([a, m], [b, m]), ([m, a], [m, b])]);
+                    for (min, max) in along.chain([([a, a], [b, b])]) {
                         let frame = Frame::new(min, max, bits);
                         let [low, high] = [min, max].map(|p| frame.key(Point::from(p)));
                         assert_eq!(low, 0);

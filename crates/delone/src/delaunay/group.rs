@@ -5,12 +5,30 @@
 
 use super::frame::Frame;
 use super::input::Extent;
-use crate::Point;
+use super::order::{Radix, sorted_keys};
+use super::parallel::Workers;
+use crate::{Point, Watch};
 
 const INDEX: u64 = 0xffff_ffff;
 
-/// Sorts a handful of points by x, then y, then index.
-pub(super) fn sort_few(points: &mut [Point], keys: &mut [u64]) {
+/// Groups up to this size are sorted by insertion.
+const FEW: usize = 16;
+
+/// Sorts points by x, then y, then index.
+///
+/// *Cost*: O(m log m) for m points.
+pub(super) fn sort_lexicographically(points: &mut [Point], keys: &mut [u64]) {
+    if points.len() <= FEW {
+        return sort_few(points, keys);
+    }
+    let mut pairs: Vec<_> = points.iter().copied().zip(keys.iter().copied()).collect();
+    pairs.sort_unstable_by(|(p, a), (q, b)| p.lex_cmp(q).then((a & INDEX).cmp(&(b & INDEX))));
+    for ((point, key), pair) in points.iter_mut().zip(keys).zip(pairs) {
+        (*point, *key) = pair;
+    }
+}
+
+fn sort_few(points: &mut [Point], keys: &mut [u64]) {
     let rank = |p: Point, key: u64| ([p.x, p.y], key & INDEX);
     for end in 1..points.len() {
         let mut i = end;
@@ -39,28 +57,43 @@ pub(super) fn merge_equal(points: &mut [Point], keys: &mut [u64]) -> usize {
     distinct
 }
 
-/// Gives points fresh keys in their own bounding box and sorts by them, equal keys in the old
-/// order; `None` if all points are equal.
+/// What became of a group that was looked at in its own bounding box.
+pub(super) enum Regrouped {
+    /// Its points have fresh keys in this frame and are sorted by them, equal keys in the old order.
+    Sorted(Frame),
+    /// All its points are equal, and have been merged into the first.
+    Equal,
+}
+
+/// Gives points fresh keys in their own bounding box and sorts by them; `None` if the watch
+/// cancelled.
 ///
-/// *Cost*: O(m log m) for m points.
-pub(super) fn sort_in_own_box(points: &mut [Point], keys: &mut [u64]) -> Option<Frame> {
+/// *Cost*: O(m) for m points, 40 bytes each.
+pub(super) fn sort_in_own_box(
+    points: &mut [Point],
+    keys: &mut [u64],
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Regrouped> {
     let Extent { min, max, .. } = Extent::of(points);
     if min == max {
-        return None;
+        merge_equal(points, keys);
+        return Some(Regrouped::Equal);
     }
-    let frame = Frame::new(min, max, 32);
-    let mut order: Vec<u64> = (0..)
-        .zip(&*points)
-        .map(|(i, &p)| u64::from(frame.key(p)) << 32 | i)
-        .collect();
-    order.sort_unstable();
+    let radix = Radix::for_points(points.len());
+    let frame = Frame::new(min, max, radix.bits);
+    let order = sorted_keys(points, &frame, radix, workers, watch)?;
     let (old_points, old_keys) = (points.to_vec(), keys.to_vec());
     for (i, key) in order.into_iter().enumerate() {
         let from = (key & INDEX) as usize;
         points[i] = old_points[from];
         keys[i] = key & !INDEX | old_keys[from] & INDEX;
     }
-    Some(frame)
+    debug_assert!(
+        keys[0] >> 32 < keys[keys.len() - 1] >> 32,
+        "bug: no progress"
+    );
+    Some(Regrouped::Sorted(frame))
 }
 
 #[cfg(test)]
@@ -79,7 +112,7 @@ mod tests {
     fn equal_points_merge_into_the_lowest_index() {
         let (mut points, mut keys) =
             group(&[(1.0, 2.0), (0.0, 0.0), (1.0, 2.0), (0.0, 0.0), (1.0, 2.0)]);
-        sort_few(&mut points, &mut keys);
+        sort_lexicographically(&mut points, &mut keys);
         assert_eq!(merge_equal(&mut points, &mut keys), 2);
         assert_eq!(points[..2], [Point::new(0.0, 0.0), Point::new(1.0, 2.0)]);
         assert_eq!([keys[0] & INDEX, keys[1] & INDEX], [1, 0]);
@@ -95,10 +128,12 @@ mod tests {
             .map(|i| (1.0 + f64::from(i * 7 % 40) * f64::EPSILON, 1.0))
             .collect();
         let (mut points, mut keys) = group(&close);
-        assert!(sort_in_own_box(&mut points, &mut keys).is_some());
+        let sorted = sort_in_own_box(&mut points, &mut keys, Workers::ONE, &());
+        assert!(matches!(sorted, Some(Regrouped::Sorted(_))));
         assert!(points.is_sorted_by(|p, q| p.x < q.x));
         assert!(keys.is_sorted_by_key(|k| k >> 32));
         let (mut points, mut keys) = group(&[(3.0, 4.0); 20]);
-        assert!(sort_in_own_box(&mut points, &mut keys).is_none());
+        let equal = sort_in_own_box(&mut points, &mut keys, Workers::ONE, &());
+        assert!(matches!(equal, Some(Regrouped::Equal)));
     }
 }

@@ -62,14 +62,12 @@ impl Extent {
             .as_flattened()
             .iter()
             .fold(0.0, |m: f64, c| m.max(c.abs()));
-        let scale = if largest <= ORDINARY_MAX && self.least >= ORDINARY_MIN {
-            0
-        } else {
-            // Moves the largest coordinate to just below the upper end of the ordinary class.
-            249 - exponent(largest)
-        };
-        let fits = |e: i32| (-200..=249).contains(&(e + scale));
-        if scale == 0 || fits(exponent(self.least)) {
+        if largest <= ORDINARY_MAX && self.least >= ORDINARY_MIN {
+            return Class::Ordinary { scale: 0 };
+        }
+        // Moves the largest coordinate to just below the upper end of the ordinary class.
+        let scale = 249 - exponent(largest);
+        if exponent(self.least) + scale >= -200 {
             Class::Ordinary { scale }
         } else {
             Class::Wide
@@ -116,6 +114,12 @@ mod tests {
         assert_eq!(class([5e-324, 0.0]), scale(249 + 1074));
         assert_eq!(class([1e-300, 1.0]), Class::Wide);
         assert_eq!(class([1e300, 1.0]), Class::Wide);
+        // The largest coordinate lies where no scale is needed: the least must be looked at still.
+        let top = 2f64.powi(249);
+        for least in [1e-300, 5e-324, 2f64.powi(-201)] {
+            assert_eq!(class([top, least]), Class::Wide);
+        }
+        assert_eq!(class([top, 2f64.powi(-200)]), scale(0));
     }
 
     #[test]

@@ -11,7 +11,7 @@
 //! predicted, so what a step costs is mostly its chain from load to branch; arrays of floats are
 //! avoided in it, since a compiler that keeps them in memory makes that chain longer.
 
-use super::pair::Pair;
+use super::pair::{Mask, Pair};
 use super::sheet::Sheet;
 use super::signs::{exact_in_circle, is_left, settle};
 use crate::Point;
@@ -262,23 +262,21 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         let det_bound = q_lift * (circle * (lift + bl)) + circle * (lift * bl);
 
         let is_above = cross.exceeds(cross_bound);
-        let is_inside = is_above & det.exceeds(det_bound);
-        let mut above = is_above.bits() & self.sides;
-        let mut inside = is_inside.bits() & self.sides;
-        let [cross_sure, det_sure] = [
-            cross.abs().exceeds(cross_bound),
-            det.abs().exceeds(det_bound),
-        ];
+        let is_inside = det.exceeds(det_bound);
+        let cross_sure = cross.abs().exceeds(cross_bound);
+        let det_sure = det.abs().exceeds(det_bound);
         // Behind what lies below the base, anything may lie, even the base's end.
-        let sure = (cross_sure.except(is_above.except(det_sure))).bits();
-        if !FILTERED || !sure & self.sides != 0 {
+        let sure = cross_sure.except(is_above.except(det_sure)).bits();
+        let [above, inside] = if FILTERED && !sure & self.sides == 0 {
+            [is_above.bits(), (is_above & is_inside).bits()]
+        } else {
             let sure = [cross_sure, det_sure].map(|mask| if FILTERED { mask.bits() } else { 0 });
+            let found = [is_above, is_inside].map(Mask::bits);
             let ends = [self.left, self.right];
-            [above, inside] =
-                settle::<FILTERED>(self.sheet, ends, vertices, behind, sure, [above, inside]);
-            above &= self.sides;
-            inside &= self.sides;
-        }
+            settle::<FILTERED>(self.sheet, ends, vertices, behind, sure, found)
+        };
+        let above = above & self.sides;
+        let inside = inside & self.sides;
         let apex = Candidates {
             vertices,
             x,

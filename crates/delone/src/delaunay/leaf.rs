@@ -2,7 +2,8 @@
 
 use super::knit::{HullVertex, NONE};
 use super::sheet::Sheet;
-use super::signs::{is_inside, is_left};
+use super::signs::{is_inside, turn};
+use crate::predicates::Orientation;
 
 /// The four extreme hull vertices; ties are broken as in the frame turned by the cut:
 /// leftmost and rightmost by (x, y), lowest and topmost by (y, −x).
@@ -136,14 +137,10 @@ pub(super) fn triangle<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<Hu
 pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<Hull> {
     let [a, b, c] = counter_clockwise::<FILTERED>(sheet, lo)?;
     let d = lo + 3;
-    let beyond = |p: u32, q: u32| {
-        if is_left::<FILTERED>(sheet, p, q, d) {
-            Some(0)
-        } else if is_left::<FILTERED>(sheet, q, p, d) {
-            Some(1)
-        } else {
-            None
-        }
+    let beyond = |p: u32, q: u32| match turn::<FILTERED>(sheet, p, q, d) {
+        Orientation::Left => Some(0),
+        Orientation::Right => Some(1),
+        Orientation::Collinear => None,
     };
     let base = 6 * lo;
     let index = beyond(a, b)? | beyond(b, c)? << 1 | beyond(c, a)? << 2;
@@ -176,12 +173,10 @@ pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<H
 /// The first three points from `lo` on, counter-clockwise; `None` if they lie on a line.
 #[inline(always)]
 fn counter_clockwise<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<[u32; 3]> {
-    if is_left::<FILTERED>(sheet, lo, lo + 1, lo + 2) {
-        Some([lo, lo + 1, lo + 2])
-    } else if is_left::<FILTERED>(sheet, lo, lo + 2, lo + 1) {
-        Some([lo, lo + 2, lo + 1])
-    } else {
-        None
+    match turn::<FILTERED>(sheet, lo, lo + 1, lo + 2) {
+        Orientation::Left => Some([lo, lo + 1, lo + 2]),
+        Orientation::Right => Some([lo, lo + 2, lo + 1]),
+        Orientation::Collinear => None,
     }
 }
 

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Divide and conquer after Guibas and Stolfi (1985) and Shewchuk (1996), along a space-filling
-//! order. *Cost*: O(n log n) in the worst case, in practice linear; 64 bytes a point beside input
-//! and result.
+//! order. *Cost*: in practice linear, O(n²) at worst (cuts halve the plane, not the number of
+//! points); 24 bytes a point beside input and result.
 //!
 //! Beside it lives [`Incremental`], which inserts single points; it yields the identical
 //! triangulation.
@@ -69,7 +69,9 @@ impl<'w> Delaunay<'w> {
         }
     }
 
-    /// Uses `threads` threads; the result is the same for any number.
+    /// Uses `threads` threads (0 means 1); the result is the same for any number.
+    ///
+    /// Without the feature `rayon` there is only the caller's thread.
     pub fn threads(self, threads: usize) -> Self {
         Self {
             threads: Some(threads),
@@ -83,6 +85,11 @@ impl<'w> Delaunay<'w> {
     }
 
     /// Triangulates `points`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] names the first point with a coordinate that is NaN or infinite;
+    /// [`Error::TooManyPoints`] if ids would not fit 32 bits; [`Error::Cancelled`] if the watch says
+    /// so; [`Error::Threads`] if they cannot be started.
     pub fn triangulate<P: Into<Point>>(
         self,
         points: impl IntoIterator<Item = P>,
@@ -96,6 +103,7 @@ impl<'w> Delaunay<'w> {
 
 /// The largest number of points whose half-edges 32 bits can number, one of them reserved.
 const MAX_POINTS: usize = (u32::MAX / 6) as usize;
+const _: () = assert!(6 * MAX_POINTS < u32::MAX as usize);
 
 fn check_number(given: usize) -> Result<(), Error> {
     let limit = MAX_POINTS;
@@ -160,10 +168,10 @@ fn conquer<const FILTERED: bool>(
         watch,
         workers,
         done: 0.into(),
-        duplicates: 0.into(),
+        has_merged: false.into(),
     };
     let hull = divide.run(0, n, &frame).ok_or(Error::Cancelled)?;
-    let merged = divide.duplicates.into_inner() > 0;
+    let merged = divide.has_merged.into_inner();
     let [triangles, ghosts] = export::compact(sheet, 2 * n - 2, hull.ghost(), merged);
 
     watch.progress(Phase::Export, 0, 1);
@@ -185,4 +193,19 @@ fn conquer<const FILTERED: bool>(
         triangles,
         duplicates,
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_points_than_ids_are_refused() {
+        assert_eq!(check_number(MAX_POINTS), Ok(()));
+        let (given, limit) = (MAX_POINTS + 1, MAX_POINTS);
+        assert_eq!(
+            check_number(given),
+            Err(Error::TooManyPoints { given, limit })
+        );
+    }
 }

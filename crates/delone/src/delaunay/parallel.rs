@@ -9,6 +9,9 @@ pub(super) struct Workers {
 }
 
 impl Workers {
+    /// The current thread alone.
+    pub const ONE: Self = Self { threads: 1 };
+
     /// Runs two tasks, at once if there are threads for it.
     #[inline]
     pub fn join<A: Send, B: Send>(
@@ -59,7 +62,7 @@ pub(super) fn with_workers<R: Send>(
         None => Ok(work(Workers {
             threads: rayon::current_num_threads(),
         })),
-        Some(0 | 1) => Ok(work(Workers { threads: 1 })),
+        Some(0 | 1) => Ok(work(Workers::ONE)),
         // The surrounding pool is the pool asked for: no need to start another.
         Some(threads) if threads == rayon::current_num_threads() => Ok(work(Workers { threads })),
         Some(threads) => {
@@ -70,6 +73,8 @@ pub(super) fn with_workers<R: Send>(
                     threads,
                     reason: reason.to_string(),
                 })?;
+            // The pool may be smaller than asked for.
+            let threads = pool.current_num_threads();
             Ok(pool.install(|| work(Workers { threads })))
         }
     }
@@ -81,5 +86,5 @@ pub(super) fn with_workers<R: Send>(
     _threads: Option<usize>,
     work: impl FnOnce(Workers) -> R + Send,
 ) -> Result<R, crate::Error> {
-    Ok(work(Workers { threads: 1 }))
+    Ok(work(Workers::ONE))
 }

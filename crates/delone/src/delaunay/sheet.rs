@@ -140,12 +140,19 @@ impl Sheet {
         self.bond(g + 2, after + 1);
     }
 
-    /// Marks the face at handle `t` as holding nothing.
+    /// Marks the face at handle `t` as holding nothing; only its first corner says so.
+    #[inline(always)]
     pub fn kill(self, t: u32) {
-        self.set_face(t, [DEAD; 3]);
-        for h in t..t + 3 {
-            self.bond(h, h);
+        self.set_corner(t, DEAD);
+    }
+
+    /// Moves the face at handle `from` into the empty slot at handle `to`.
+    pub fn relocate(self, from: u32, to: u32) {
+        for k in 0..3 {
+            self.set_corner(to + k, self.corner(from + k));
+            self.bond(to + k, self.twin(from + k));
         }
+        self.kill(from);
     }
 
     /// The sort key of the point at position `i`, in the frame of its group.

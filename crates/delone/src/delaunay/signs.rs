@@ -7,15 +7,27 @@ use super::sheet::Sheet;
 use crate::Point;
 use crate::predicates::{self, IN_CIRCLE_BOUND, ORIENT2D_BOUND, Orientation};
 
-/// Tells whether `c` lies strictly to the left of `a → b`.
+/// Tells where `c` lies relative to the line from `a` to `b`.
 #[inline(always)]
-pub(super) fn is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
+pub(super) fn turn<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> Orientation {
     let origin = sheet.point(a);
     let [bx, by] = arm(sheet.point(b), origin);
     let [cx, cy] = arm(sheet.point(c), origin);
-    is_positive::<FILTERED>(bx * cy, by * cx, || {
-        exact_is_left::<FILTERED>(sheet, a, b, c)
-    })
+    let (plus, minus) = (bx * cy, by * cx);
+    let bound = ORIENT2D_BOUND * (plus.abs() + minus.abs());
+    if FILTERED && plus - minus > bound {
+        Orientation::Left
+    } else if FILTERED && plus - minus < -bound {
+        Orientation::Right
+    } else {
+        exact_turn::<FILTERED>(sheet, a, b, c)
+    }
+}
+
+/// Tells whether `c` lies strictly to the left of `a → b`.
+#[inline(always)]
+pub(super) fn is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
+    turn::<FILTERED>(sheet, a, b, c) == Orientation::Left
 }
 
 /// Tells whether `d` lies inside the perturbed circle through `a`, `b`, `c`, counter-clockwise.
@@ -46,14 +58,13 @@ pub(super) fn is_inside<const FILTERED: bool>(
 /// all: the public predicates guard their own filter.
 #[cold]
 #[inline(never)]
-fn exact_is_left<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> bool {
+fn exact_turn<const FILTERED: bool>(sheet: Sheet, a: u32, b: u32, c: u32) -> Orientation {
     let [a, b, c] = [a, b, c].map(|v| sheet.point(v));
-    let side = if FILTERED {
+    if FILTERED {
         predicates::orient2d_exact(a, b, c)
     } else {
         predicates::orient2d(a, b, c)
-    };
-    side == Orientation::Left
+    }
 }
 
 /// Whether `d` lies inside the perturbed circle through `a`, `b`, `c`; infinity lies outside.
@@ -83,19 +94,6 @@ fn arm(p: Point, origin: Point) -> [f64; 2] {
     [p.x - origin.x, p.y - origin.y]
 }
 
-/// The sign of a cross product with products `plus` and `minus`, in doubt from `exact`.
-#[inline(always)]
-fn is_positive<const FILTERED: bool>(plus: f64, minus: f64, exact: impl FnOnce() -> bool) -> bool {
-    let bound = ORIENT2D_BOUND * (plus.abs() + minus.abs());
-    if FILTERED && plus - minus > bound {
-        true
-    } else if FILTERED && plus - minus < -bound {
-        false
-    } else {
-        exact()
-    }
-}
-
 /// Decides exactly what the filter left open: which `vertices` lie above the base, and which of
 /// those have a vertex `behind` them inside the circle. `sure` and `found` hold the filter's two
 /// answers, a bit a side.
@@ -113,8 +111,9 @@ pub(super) fn settle<const FILTERED: bool>(
     for side in 0..2 {
         let known = |k: usize| (sure[k] >> side & 1 == 1).then_some(found[k] >> side & 1 == 1);
         let (vertex, behind) = (vertices[side], behind[side]);
-        let above =
-            known(0).unwrap_or_else(|| exact_is_left::<FILTERED>(sheet, left, right, vertex));
+        let above = known(0).unwrap_or_else(|| {
+            exact_turn::<FILTERED>(sheet, left, right, vertex) == Orientation::Left
+        });
         let inside = above
             && known(1)
                 .unwrap_or_else(|| exact_in_circle::<FILTERED>(sheet, left, right, vertex, behind));
