@@ -115,7 +115,7 @@ impl Incremental {
     pub fn insert(&mut self, point: Point) -> Result<Inserted, Error> {
         let index = self.points.len();
         check_finite(index, point)?;
-        super::check_number(index + 1)?;
+        super::bulk::check_number(index + 1)?;
         // Adding zero turns −0.0 into 0.0.
         let point = Point::new(point.x + 0.0, point.y + 0.0);
         let vertex = VertexId::new(index);

@@ -1,0 +1,152 @@
+//! From points to the result in one go: look, order, divide and conquer, hand out.
+
+use super::divide::Divide;
+use super::export;
+use super::frame::Frame;
+use super::input::{self, Class, Extent};
+use super::memory::reserve;
+use super::order::{Ordered, Radix, order};
+use super::parallel::Workers;
+use super::sheet::Sheet;
+use crate::{Error, HalfEdgeId, Mesh, Phase, Point, Triangulation, VertexId, Watch};
+
+/// The largest number of points whose half-edges 32 bits can number, one of them reserved.
+const MAX_POINTS: usize = (u32::MAX / 6) as usize;
+const _: () = assert!(6 * MAX_POINTS < u32::MAX as usize);
+
+/// Refuses more points than ids can number.
+pub(super) fn check_number(given: usize) -> Result<(), Error> {
+    let limit = MAX_POINTS;
+    if given > limit {
+        return Err(Error::TooManyPoints { given, limit });
+    }
+    Ok(())
+}
+
+/// Triangulates points, whose number has been checked.
+pub(super) fn build(
+    points: Vec<Point>,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Result<Triangulation, Error> {
+    let chunk = workers.chunk_len(points.len(), 1);
+    let extent = workers
+        .map(points.chunks(chunk).collect(), Extent::of)
+        .into_iter()
+        .fold(Extent::EMPTY, Extent::union);
+    if !extent.is_finite() {
+        return Err(input::first_not_finite(&points).expect("bug: all points are finite"));
+    }
+    if points.is_empty() {
+        let mesh = Mesh::default();
+        return Ok(Triangulation::from_parts(points, mesh, 0, Vec::new()));
+    }
+    let result = match extent.class() {
+        Class::Ordinary { scale } => run::<true>(points, extent, scale, workers, watch),
+        Class::Wide => run::<false>(points, extent, 0, workers, watch),
+    };
+    result.ok_or(Error::Cancelled)
+}
+
+/// Triangulates at least one point; with `FILTERED` their coordinates, times 2^`scale`, are ordinary.
+/// `None` if the watch cancelled.
+fn run<const FILTERED: bool>(
+    points: Vec<Point>,
+    extent: Extent,
+    scale: i32,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Triangulation> {
+    let radix = Radix::for_points(points.len());
+    let frame = Frame::new(extent.min, extent.max, radix.bits);
+    let mut ordered = order(&points, &frame, radix, scale, workers, watch)?;
+    let faces = divide::<FILTERED>(&mut ordered, &frame, workers, watch)?;
+    hand_out(points, &ordered, faces, workers, watch)
+}
+
+/// Faces in the numbering of the curve, triangles first.
+struct Faces {
+    corners: Vec<[VertexId; 3]>,
+    twins: Vec<[HalfEdgeId; 3]>,
+    triangles: usize,
+    /// Whether equal points have been merged.
+    has_merged: bool,
+}
+
+fn divide<const FILTERED: bool>(
+    ordered: &mut Ordered,
+    frame: &Frame,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Faces> {
+    let n = ordered.points.len() - 1;
+    let (mut corners, mut twins) = (reserve(2 * n), reserve(2 * n));
+    let rows = (corners.spare_capacity_mut(), twins.spare_capacity_mut());
+    // SAFETY: the arrays outlive the sheet, and nobody touches them while it is in use.
+    let sheet = unsafe { Sheet::new(&mut ordered.points, &mut ordered.keys, rows.0, rows.1) };
+    let divide = Divide::<FILTERED> {
+        sheet,
+        watch,
+        workers,
+        done: 0.into(),
+        has_merged: false.into(),
+    };
+    let hull = divide.run(0, n, frame)?;
+    let has_merged = divide.has_merged.into_inner();
+    let [triangles, ghosts] = export::compact(sheet, 2 * n - 2, hull.ghost(), has_merged);
+    // SAFETY: 2n slots are reserved, and every face that is left has been written.
+    unsafe {
+        corners.set_len(triangles + ghosts);
+        twins.set_len(triangles + ghosts);
+    }
+    if has_merged {
+        corners.shrink_to_fit();
+        twins.shrink_to_fit();
+    }
+    Some(Faces {
+        corners,
+        twins,
+        triangles,
+        has_merged,
+    })
+}
+
+/// Puts the result together in the caller's numbering.
+fn hand_out(
+    points: Vec<Point>,
+    ordered: &Ordered,
+    mut faces: Faces,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Triangulation> {
+    watch.progress(Phase::Export, 0, 1);
+    export::renumber(&mut faces.corners, &ordered.keys, workers, watch)?;
+    let duplicates = if faces.has_merged {
+        export::duplicates(&ordered.points[..points.len()], &ordered.keys)
+    } else {
+        Vec::new()
+    };
+    watch.progress(Phase::Export, 1, 1);
+    let mesh = Mesh::from_rows(faces.corners, faces.twins);
+    Some(Triangulation::from_parts(
+        points,
+        mesh,
+        faces.triangles,
+        duplicates,
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_points_than_ids_are_refused() {
+        assert_eq!(check_number(MAX_POINTS), Ok(()));
+        let (given, limit) = (MAX_POINTS + 1, MAX_POINTS);
+        assert_eq!(
+            check_number(given),
+            Err(Error::TooManyPoints { given, limit })
+        );
+    }
+}
