@@ -50,7 +50,7 @@ pub struct Check {
     /// Also require that the vertices are the points of this file, in any order
     #[arg(long, value_name = "FILE")]
     points: Option<PathBuf>,
-    /// Print one JSON object for each mesh, each on its own line
+    /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -5,7 +5,9 @@ mod input;
 
 use crate::exit::Failure;
 use crate::progress::Progress;
-use delone_io::{Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions};
+use delone_io::{
+    Attribute, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
+};
 use family::Member;
 pub use input::{Input, Reading};
 use std::path::{Path, PathBuf};
@@ -16,8 +18,8 @@ pub struct Writing {
     /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge and .neigh
     #[arg(long)]
     one_based: bool,
-    /// Format of outputs whose name does not tell, such as `-`, else of all but --picture,
-    /// whatever their names say: node, ele, csv, npy, vtu, svg, png …
+    /// Format of outputs whose name does not tell, such as `-`; if every name tells, it overrules
+    /// them all but --picture: node, ele, csv, npy, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
     /// Longer side of pictures, in pixels
@@ -52,6 +54,23 @@ impl Outputs {
         self.members
             .iter()
             .try_for_each(|member| member.require_not_among(&inputs))
+    }
+
+    /// Says in words what the outputs have no place for: arrays hold coordinates and corners alone.
+    fn losses(&self, markers: bool, triangle_attributes: &[Attribute]) -> Vec<String> {
+        let markers = markers.then_some("boundary markers");
+        let names = triangle_attributes.iter().map(|a| a.name.as_str());
+        let lost: Vec<&str> = markers.into_iter().chain(names).collect();
+        let targets = self.files.iter().chain(&self.stream);
+        targets
+            .filter(|target| target.format == Some(Format::Npy) && !lost.is_empty())
+            .map(|target| {
+                format!(
+                    "{target}: left out, for npy has no place: {}",
+                    lost.join(", ")
+                )
+            })
+            .collect()
     }
 
     fn add_file(&mut self, target: Target, members: Vec<Member>) -> Result<(), Failure> {
@@ -189,6 +208,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
+        progress.note(&outputs.losses(mesh.markers.is_some(), mesh.triangle_attributes));
         write(outputs, |targets| {
             delone_io::write_mesh(targets, mesh, &options, progress)
         })
@@ -202,6 +222,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
+        progress.note(&outputs.losses(points.markers.is_some(), &[]));
         write(outputs, |targets| {
             delone_io::write_points(targets, points, &options, progress)
         })
