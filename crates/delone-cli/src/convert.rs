@@ -103,7 +103,7 @@ impl Convert {
                 let [input, output] = [&self.input, &self.output].map(|p| p.display());
                 Err(Failure::Usage(format!(
                     "{output}: {format} holds triangles, but {input} brings none; \
-                     `delone triangulate {input} -o {output}` makes them"
+                     `delone triangulate {input} -o OUT.ele` makes them"
                 )))
             }
             _ => Ok(()),
