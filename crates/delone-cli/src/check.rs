@@ -38,6 +38,9 @@ The JSON object of --json:
 /// counter-clockwise, they cover the convex hull without gap or overlap, no point is missing, and
 /// no circle contains a point; among four points on one circle the diagonal is the canonical one.
 /// Signs are exact for all finite coordinates. The time is linear.
+///
+/// Of several files all are checked, even if some cannot be read; the exit code is then 3, and 1 if
+/// all can be read but some are wrong.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
 pub struct Check {
@@ -47,7 +50,7 @@ pub struct Check {
     /// Also require that the vertices are the points of this file, in any order
     #[arg(long, value_name = "FILE")]
     points: Option<PathBuf>,
-    /// Print one JSON object for each mesh, each on its own line
+    /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -57,21 +60,37 @@ pub struct Check {
 impl Check {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
-        let mut all_right = true;
+        self.require_one_reader_of_stdin()?;
+        let mut outcome = Ok(());
         for file in families(&self.files) {
-            let report = self.check(&file, quiet)?;
-            all_right &= report.is_right();
+            let report = match self.check(&file, quiet) {
+                Ok(report) => report,
+                Err(failure @ Failure::BadInput(_)) => {
+                    failure.report();
+                    outcome = Err(Failure::NotAllRead);
+                    continue;
+                }
+                Err(failure) => return Err(failure),
+            };
+            if !report.is_right() && outcome.is_ok() {
+                outcome = Err(Failure::CheckFailed);
+            }
             if self.json {
                 files::print(&report.json())?;
             } else if !quiet || !report.is_right() {
                 files::print(&report.to_string())?;
             }
         }
-        if all_right {
-            Ok(())
-        } else {
-            Err(Failure::CheckFailed)
+        outcome
+    }
+
+    fn require_one_reader_of_stdin(&self) -> Result<(), Failure> {
+        let is_stdin = |file: &PathBuf| file == Path::new("-");
+        if self.points.as_ref().is_some_and(is_stdin) && self.files.iter().any(is_stdin) {
+            let twice = "mesh and --points both want standard input; name a file for one";
+            return Err(Failure::Usage(twice.to_owned()));
         }
+        Ok(())
     }
 
     fn check(&self, file: &Path, quiet: bool) -> Result<Report, Failure> {

@@ -1,10 +1,10 @@
 //! `delone convert`: the same points or mesh in another format.
 
 use crate::exit::Failure;
-use crate::files::{Content, Reading, Writing};
+use crate::files::{Content, Input, Outputs, Reading, Writing};
 use crate::progress::Progress;
 use crate::words::{counted, list};
-use delone_io::{Format, MeshView, Source};
+use delone_io::{Format, MeshView};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -17,8 +17,8 @@ Examples:
 
 /// Convert points or a mesh from one format to another
 ///
-/// If the input holds triangles (.ele, .vtu, .npy with .points.npy beside it) they come along;
-/// otherwise points are converted. Nothing is triangulated and nothing is checked.
+/// If the input holds triangles (.ele, .vtu, .npy with .points.npy beside it) and the output can,
+/// they come along; otherwise points are converted. Nothing is triangulated and nothing is checked.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
 pub struct Convert {
@@ -38,12 +38,15 @@ pub struct Convert {
 impl Convert {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
-        let source = Source::from_arg(&self.input);
+        // A name that will not do is refused before anything is read.
+        self.outputs(Content::Either)?;
+        let input = self.reading.open(&self.input)?;
         let progress = Progress::new(quiet);
-        let (written, what) = if self.has_triangles(&source) && self.takes_triangles() {
-            self.convert_mesh(&source, &progress)?
+        let brings_mesh = !self.points && input.brings_triangles();
+        let (written, what) = if brings_mesh && self.takes_triangles() {
+            self.convert_mesh(&input, &progress)?
         } else {
-            self.convert_points(&source, &progress)?
+            self.convert_points(&input, &progress)?
         };
         progress.finish();
         if !quiet && !written.is_empty() {
@@ -55,13 +58,12 @@ impl Convert {
 
     fn convert_mesh(
         &self,
-        source: &Source,
+        input: &Input,
         progress: &Progress,
     ) -> Result<(Vec<PathBuf>, String), Failure> {
-        let outputs = self
-            .writing
-            .outputs([(self.output.clone(), Content::Mesh)])?;
-        let mesh = self.reading.mesh(source, progress)?;
+        let outputs = self.outputs(Content::Mesh)?;
+        outputs.spare(input)?;
+        let mesh = input.mesh(progress)?;
         let written = self
             .writing
             .mesh(&outputs, &MeshView::from(&mesh), progress)?;
@@ -72,29 +74,21 @@ impl Convert {
 
     fn convert_points(
         &self,
-        source: &Source,
+        input: &Input,
         progress: &Progress,
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         self.require_no_triangles()?;
-        let outputs = self
-            .writing
-            .outputs([(self.output.clone(), Content::Points)])?;
-        let points = self.reading.points(source, progress)?;
+        let outputs = self.outputs(Content::Points)?;
+        outputs.spare(input)?;
+        let (points, unused) = input.points(progress)?;
+        progress.note(&unused);
         let written = self.writing.points(&outputs, &points, progress)?;
         let what = counted(points.points.len(), "point", "points");
         Ok((written, what))
     }
 
-    /// Tells whether the input brings triangles, in itself or in a file beside it.
-    fn has_triangles(&self, source: &Source) -> bool {
-        let beside = |extension| self.input.with_extension(extension).is_file();
-        !self.points
-            && match self.reading.format(source) {
-                Some(Format::Ele | Format::Vtu) => true,
-                Some(Format::Node) => beside("ele"),
-                Some(Format::Npy) => beside("points.npy"),
-                _ => false,
-            }
+    fn outputs(&self, content: Content) -> Result<Outputs, Failure> {
+        self.writing.outputs([(self.output.clone(), content)])
     }
 
     fn takes_triangles(&self) -> bool {
@@ -109,7 +103,7 @@ impl Convert {
                 let [input, output] = [&self.input, &self.output].map(|p| p.display());
                 Err(Failure::Usage(format!(
                     "{output}: {format} holds triangles, but {input} brings none; \
-                     `delone triangulate {input} -o {output}` makes them"
+                     `delone triangulate {input} -o OUT.ele` makes them"
                 )))
             }
             _ => Ok(()),

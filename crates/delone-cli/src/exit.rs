@@ -3,6 +3,7 @@
 //! The codes are part of the program's interface: scripts rely on them, so a number never changes
 //! its meaning.
 
+use crate::interrupt;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -16,7 +17,7 @@ Exit codes:
   2    usage: an option or argument is wrong
   3    bad input: a file is missing, malformed or cannot be triangulated
   4    not reached: the work could not be finished or its result not written
-  130  cancelled by Ctrl-C; nothing half-written is left behind";
+  130  cancelled by Ctrl-C (143 by SIGTERM, 129 by SIGHUP); nothing half-written is left behind";
 
 /// Why a command did not end with exit code 0.
 #[derive(Debug, thiserror::Error)]
@@ -24,6 +25,9 @@ pub enum Failure {
     /// The check ran and found defects; they have been reported already.
     #[error("the check failed")]
     CheckFailed,
+    /// Some of several files could not be checked; each has been reported already.
+    #[error("not every file could be checked")]
+    NotAllRead,
     /// Options or arguments contradict each other or do not fit the input.
     #[error("{0}")]
     Usage(String),
@@ -48,16 +52,16 @@ impl Failure {
             Self::BrokenPipe => 0,
             Self::CheckFailed => 1,
             Self::Usage(_) => 2,
-            Self::BadInput(_) => 3,
+            Self::BadInput(_) | Self::NotAllRead => 3,
             Self::NotReached(_) => 4,
-            Self::Cancelled => 130,
+            Self::Cancelled => interrupt::exit_code(),
         }
     }
 
     /// Tells the user on standard error, unless nothing is left to say.
     pub fn report(&self) -> ExitCode {
         match self {
-            Self::CheckFailed | Self::BrokenPipe => {}
+            Self::CheckFailed | Self::NotAllRead | Self::BrokenPipe => {}
             // The work and the listener for Ctrl-C may both come here.
             Self::Cancelled if CANCELLED.swap(true, Ordering::SeqCst) => {}
             Self::Usage(_) => eprintln!("error: {self}\n\nFor more, try '--help'."),

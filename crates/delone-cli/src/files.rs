@@ -1,23 +1,16 @@
 //! Inputs and outputs as the command line names them.
 
+mod family;
+mod input;
+
 use crate::exit::Failure;
 use crate::progress::Progress;
 use delone_io::{
-    Column, Error, Format, MeshData, MeshView, PictureOptions, PointSet, ReadOptions, Source,
-    Target, WriteOptions,
+    Attribute, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
 };
+use family::Member;
+pub use input::{Input, Reading};
 use std::path::{Path, PathBuf};
-
-/// Options about inputs.
-#[derive(clap::Args, Default)]
-pub struct Reading {
-    /// Columns of x and y in a table: their names, or their places counted from 1
-    #[arg(long, value_name = "X,Y", value_parser = columns)]
-    columns: Option<[Column; 2]>,
-    /// Format of the input where neither its name nor its content tells: node, csv, npy, vtu …
-    #[arg(long, value_name = "FORMAT")]
-    from: Option<Format>,
-}
 
 /// Options about outputs.
 #[derive(clap::Args)]
@@ -25,7 +18,8 @@ pub struct Writing {
     /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge and .neigh
     #[arg(long)]
     one_based: bool,
-    /// Format of outputs whose name does not tell, such as `-`: node, ele, csv, npy, vtu, svg, png …
+    /// Format of outputs whose name does not tell, such as `-`; if every name tells, it overrules
+    /// them all but --picture: node, ele, csv, npy, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
     /// Longer side of pictures, in pixels
@@ -34,57 +28,12 @@ pub struct Writing {
     size: u32,
 }
 
-fn columns(text: &str) -> Result<[Column; 2], String> {
-    let parse = |column: &str| column.trim().parse::<Column>().ok();
-    let Some((x, y)) = text.split_once(',') else {
-        return Err("two columns are needed, as in `lon,lat` or `2,3`".to_owned());
-    };
-    parse(x)
-        .zip(parse(y))
-        .map(|(x, y)| [x, y])
-        .ok_or_else(|| format!("{text:?} names no columns"))
-}
-
-impl Reading {
-    /// Reads points.
-    pub fn points(&self, source: &Source, progress: &Progress) -> Result<PointSet, Failure> {
-        delone_io::read_points(source, &self.options(), progress).map_err(unreadable)
-    }
-
-    /// Reads points and triangles.
-    pub fn mesh(&self, source: &Source, progress: &Progress) -> Result<MeshData, Failure> {
-        delone_io::read_mesh(source, &self.options(), progress).map_err(unreadable)
-    }
-
-    /// Returns the format that was asked for, or that the name tells.
-    pub fn format(&self, source: &Source) -> Option<Format> {
-        let by_name = || match source {
-            Source::Path(path) => Format::from_path(path),
-            _ => None,
-        };
-        self.from.or_else(by_name)
-    }
-
-    /// Returns the options for a second input, which has a format of its own.
-    pub fn of_another_file(&self) -> Self {
-        Self {
-            columns: self.columns.clone(),
-            from: None,
-        }
-    }
-
-    fn options(&self) -> ReadOptions {
-        ReadOptions {
-            format: self.from,
-            columns: self.columns.clone(),
-        }
-    }
-}
-
 /// Outputs whose names, formats and folders have been looked at before the work begins.
 #[derive(Default)]
 pub struct Outputs {
     files: Vec<Target>,
+    /// The files that these consist of.
+    members: Vec<Member>,
     stream: Option<Target>,
 }
 
@@ -99,35 +48,56 @@ impl Outputs {
         self.files.is_empty() && self.stream.is_none()
     }
 
-    fn add(&mut self, target: Target) -> Result<(), Failure> {
-        match &target.path {
-            Some(path) => require_folder(path)?,
-            None if self.stream.is_some() => {
-                let twice = "only one output can go to standard output; give the others a name";
-                return Err(Failure::Usage(twice.to_owned()));
-            }
-            None => {
-                self.stream = Some(target);
-                return Ok(());
-            }
+    /// Requires that none of the files to be written is one that is read.
+    pub fn spare(&self, input: &Input) -> Result<(), Failure> {
+        let inputs = input.files();
+        self.members
+            .iter()
+            .try_for_each(|member| member.require_not_among(&inputs))
+    }
+
+    /// Says in words what the outputs have no place for: arrays hold coordinates and corners alone.
+    fn losses(&self, markers: bool, triangle_attributes: &[Attribute]) -> Vec<String> {
+        let markers = markers.then_some("boundary markers");
+        let names = triangle_attributes.iter().map(|a| a.name.as_str());
+        let lost: Vec<&str> = markers.into_iter().chain(names).collect();
+        let targets = self.files.iter().chain(&self.stream);
+        targets
+            .filter(|target| target.format == Some(Format::Npy) && !lost.is_empty())
+            .map(|target| {
+                format!(
+                    "{target}: left out, for npy has no place: {}",
+                    lost.join(", ")
+                )
+            })
+            .collect()
+    }
+
+    fn add_file(&mut self, target: Target, members: Vec<Member>) -> Result<(), Failure> {
+        for member in members {
+            member.require_writable()?;
+            let apart = |other: &Member| member.require_apart_from(other);
+            self.members.iter().try_for_each(apart)?;
+            self.members.push(member);
         }
         self.files.push(target);
         Ok(())
     }
-}
 
-fn require_folder(path: &Path) -> Result<(), Failure> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => return Ok(()),
-    };
-    if folder.is_dir() {
-        Ok(())
-    } else {
-        let [path, folder] = [path, folder].map(Path::display);
-        Err(Failure::NotReached(format!(
-            "cannot write {path}: there is no folder {folder}; create it first"
-        )))
+    fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
+        let refusal = match format {
+            _ if self.stream.is_some() => {
+                "only one output can go to standard output; give the others a name"
+            }
+            Format::Poly => {
+                "standard output takes one file, and no .poly is written: use node or ele"
+            }
+            _ => {
+                self.stream = Some(Target::from_arg("-", Some(format)));
+                return Ok(());
+            }
+        };
+        Err(Failure::Usage(refusal.to_owned()))
     }
 }
 
@@ -138,6 +108,8 @@ pub enum Content {
     Points,
     /// Points and triangles.
     Mesh,
+    /// Points or a mesh, as the input will tell.
+    Either,
     /// A picture.
     Picture,
 }
@@ -147,6 +119,7 @@ impl Content {
         match self {
             Self::Points => format.writes_points(),
             Self::Mesh => format.writes_mesh(),
+            Self::Either => format.writes_points() || format.writes_mesh(),
             Self::Picture => format.is_picture(),
         }
     }
@@ -155,6 +128,7 @@ impl Content {
         match self {
             Self::Points => "points",
             Self::Mesh => "a mesh",
+            Self::Either => "points or a mesh",
             Self::Picture => "a picture",
         }
     }
@@ -180,36 +154,49 @@ impl Writing {
         &self,
         wanted: impl IntoIterator<Item = (PathBuf, Content)>,
     ) -> Result<Outputs, Failure> {
+        let wanted: Vec<_> = wanted.into_iter().collect();
+        let all_tell = wanted.iter().all(|(p, _)| Format::from_path(p).is_some());
         let mut outputs = Outputs::default();
         for (path, content) in wanted {
-            outputs.add(self.target(path, content)?)?;
+            let overrules = all_tell && !matches!(content, Content::Picture);
+            let told = self.told(&path, overrules);
+            let Some(format) = told.filter(|f| content.fits(*f)) else {
+                return Err(content.misfit(&path, told));
+            };
+            // A family of files cannot stand beside a device, so both names mean the stream.
+            if path == Path::new("-") || path == Path::new("/dev/stdout") {
+                outputs.add_stream(format)?;
+            } else {
+                let members = family::members(&path, format, content);
+                outputs.add_file(Target::from_arg(path, Some(format)), members)?;
+            }
         }
         Ok(outputs)
     }
 
     /// Settles on standard output alone.
-    pub fn stdout(&self, default: Format) -> Outputs {
-        let format = Some(self.to.unwrap_or(default));
-        Outputs {
-            stream: Some(Target { path: None, format }),
-            ..Outputs::default()
+    pub fn stdout(&self, content: Content, default: Format) -> Result<Outputs, Failure> {
+        let format = self.to.unwrap_or(default);
+        if !content.fits(format) {
+            return Err(content.misfit(Path::new("-"), Some(format)));
         }
+        let mut outputs = Outputs::default();
+        outputs.add_stream(format)?;
+        Ok(outputs)
     }
 
-    /// Returns the format that the name tells, or that was asked for.
+    /// Returns the format of an output that is the only one.
     pub fn format(&self, path: &Path) -> Option<Format> {
-        Format::from_path(path).or(self.to)
+        self.told(path, true)
     }
 
-    fn target(&self, path: PathBuf, content: Content) -> Result<Target, Failure> {
-        let told = self.format(&path);
-        match told.filter(|f| content.fits(*f)) {
-            // A family of files cannot stand beside a device, so both names mean the stream.
-            Some(format) if path == Path::new("/dev/stdout") => {
-                Ok(Target::from_arg("-", Some(format)))
-            }
-            Some(format) => Ok(Target::from_arg(path, Some(format))),
-            None => Err(content.misfit(&path, told)),
+    /// Returns the format that name and --to tell; where both do, the latter `overrules` or not.
+    fn told(&self, path: &Path, overrules: bool) -> Option<Format> {
+        let by_name = Format::from_path(path);
+        if overrules {
+            self.to.or(by_name)
+        } else {
+            by_name.or(self.to)
         }
     }
 
@@ -221,6 +208,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
+        progress.note(&outputs.losses(mesh.markers.is_some(), mesh.triangle_attributes));
         write(outputs, |targets| {
             delone_io::write_mesh(targets, mesh, &options, progress)
         })
@@ -234,6 +222,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
+        progress.note(&outputs.losses(points.markers.is_some(), &[]));
         write(outputs, |targets| {
             delone_io::write_points(targets, points, &options, progress)
         })
@@ -296,19 +285,4 @@ pub fn print(line: &str) -> Result<(), Failure> {
             ErrorKind::BrokenPipe => Failure::BrokenPipe,
             _ => Failure::NotReached(format!("cannot write to standard output: {error}")),
         })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_are_two_names_or_places_from_one() {
-        assert_eq!(
-            columns("lon, lat"),
-            Ok(["lon", "lat"].map(|n| Column::Name(n.to_owned())))
-        );
-        assert_eq!(columns("2,1"), Ok([1, 0].map(Column::Index)));
-        assert!(columns("lon").is_err());
-    }
 }

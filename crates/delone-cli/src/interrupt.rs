@@ -4,33 +4,81 @@
 //! milliseconds and clean up after themselves. A read from standard input or a write to a full pipe
 //! may block for ever, though. So after a short grace the listener itself removes the temporary files and
 //! ends the process, whatever the other threads are doing.
+//!
+//! Requests to terminate or hang up are heeded in the same way. Signals that were ignored when the
+//! program started, as `nohup` and background jobs of scripts want it, stay ignored.
 
 use crate::exit::Failure;
 use crate::progress;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
+/// Number of the signal of Ctrl-C.
+const INTERRUPT: u8 = 2;
+
+/// The signal that asked to stop; 0 if none has.
+static REQUESTED: AtomicU8 = AtomicU8::new(0);
 
 /// How long work may take to notice the flag by itself.
 const GRACE: Duration = Duration::from_millis(40);
 
 /// Listens for Ctrl-C (and for requests to terminate or hang up) from now on.
+#[cfg(unix)]
 pub fn listen() {
-    let listening = ctrlc::set_handler(|| {
-        REQUESTED.store(true, Ordering::SeqCst);
-        sleep(GRACE);
-        delone_io::discard_unfinished_files();
-        progress::wipe();
-        Failure::Cancelled.report();
-        std::process::exit(Failure::Cancelled.code().into());
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter();
+    // Without a listener signals end the process at once, which is no reason to refuse the work.
+    let Ok(mut signals) = Signals::new(heeded.filter(|&s| !is_ignored(s))) else {
+        return;
+    };
+    std::thread::spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            stop(u8::try_from(signal).unwrap_or(INTERRUPT));
+        }
     });
+}
+
+/// Tells whether whoever started this process wants the signal to be ignored.
+#[cfg(unix)]
+fn is_ignored(signal: libc::c_int) -> bool {
+    let mut action = std::mem::MaybeUninit::<libc::sigaction>::zeroed();
+    // SAFETY: `action` is valid for writes, all-zero bytes are a valid `sigaction`, and a null
+    // pointer for the new action changes nothing.
+    unsafe {
+        libc::sigaction(signal, std::ptr::null(), action.as_mut_ptr()) == 0
+            && action.assume_init().sa_sigaction == libc::SIG_IGN
+    }
+}
+
+/// Listens for Ctrl-C (and for requests to terminate or hang up) from now on.
+#[cfg(not(unix))]
+pub fn listen() {
+    let listening = ctrlc::set_handler(|| stop(INTERRUPT));
     // Without a handler Ctrl-C ends the process at once, which is no reason to refuse the work.
     drop(listening);
 }
 
+/// Ends the process: by its own way out if it takes that soon.
+fn stop(signal: u8) {
+    REQUESTED.store(signal, Ordering::SeqCst);
+    sleep(GRACE);
+    delone_io::discard_unfinished_files();
+    progress::wipe();
+    Failure::Cancelled.report();
+    std::process::exit(Failure::Cancelled.code().into());
+}
+
 /// Tells whether the user asked to stop.
 pub fn is_requested() -> bool {
-    REQUESTED.load(Ordering::SeqCst)
+    REQUESTED.load(Ordering::SeqCst) != 0
+}
+
+/// Returns the exit code of a process that was asked to stop, as shells count: 128 and the signal.
+pub fn exit_code() -> u8 {
+    match REQUESTED.load(Ordering::SeqCst) {
+        0 => 128 + INTERRUPT,
+        signal => 128 + signal,
+    }
 }

@@ -13,6 +13,7 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Shows one bar on standard error for the phase that is under way, if that is a terminal.
 pub struct Progress {
     bar: ProgressBar,
+    quiet: bool,
     phase: Mutex<Option<Phase>>,
     started: Instant,
 }
@@ -31,8 +32,17 @@ impl Progress {
         bar.set_style(style.expect("bug: bad template"));
         Self {
             bar,
+            quiet,
             phase: Mutex::new(None),
             started: Instant::now(),
+        }
+    }
+
+    /// Tells people what the result will lack, unless they want quiet.
+    pub fn note(&self, notes: &[String]) {
+        if !self.quiet {
+            let say = || notes.iter().for_each(|note| eprintln!("note: {note}"));
+            self.bar.suspend(say);
         }
     }
 

@@ -1,11 +1,11 @@
 //! `delone sample`: points to try things on, embedded or generated.
 
 use crate::exit::Failure;
-use crate::files::{self, Content, Reading, Writing};
+use crate::files::{self, Content, Input, Writing};
 use crate::progress::Progress;
-use crate::words::{counted, list};
+use crate::words::{self, counted, list};
 use delone::Point;
-use delone_io::{Format, PointSet, Source};
+use delone_io::{Format, PointSet, ReadOptions, Source};
 use delone_samples::Distribution;
 use std::path::PathBuf;
 
@@ -22,6 +22,9 @@ pub const NEXT: &str = "\
 Next: open populated-places.png, or let the result be verified from its files alone:
   delone check populated-places.ele
 Your own points: delone triangulate points.csv -o mesh.ele --picture mesh.png";
+
+/// The most points that a triangulation takes: 32 bits number its half-edges, six for a point.
+const MAX_POINTS: usize = (u32::MAX / 6) as usize;
 
 const CSV: &[u8] = include_bytes!("../samples/populated-places.csv");
 
@@ -71,11 +74,12 @@ fn name(text: &str) -> Result<Name, String> {
 }
 
 /// Returns the embedded sample as an input.
-pub fn embedded() -> Source {
-    Source::Memory {
+pub fn embedded() -> Input {
+    let source = Source::Memory {
         name: format!("{EMBEDDED}.csv"),
         bytes: CSV.to_vec(),
-    }
+    };
+    Input::new(source, Some(Format::Table), ReadOptions::default())
 }
 
 impl Sample {
@@ -91,12 +95,16 @@ impl Sample {
         let wanted = self.output.iter().map(|o| (o.clone(), Content::Points));
         let mut outputs = self.writing.outputs(wanted)?;
         if outputs.is_empty() {
-            outputs = self.writing.stdout(Format::Table);
+            outputs = self.writing.stdout(Content::Points, Format::Table)?;
         }
         let progress = Progress::new(quiet);
         let points = match name {
-            Name::Embedded => Reading::default().points(&embedded(), &progress)?,
-            Name::Generated(distribution) => self.generate(distribution),
+            Name::Embedded => {
+                let (points, unused) = embedded().points(&progress)?;
+                progress.note(&unused);
+                points
+            }
+            Name::Generated(distribution) => self.generate(distribution)?,
         };
         let written = self.writing.points(&outputs, &points, &progress)?;
         progress.finish();
@@ -109,13 +117,32 @@ impl Sample {
     }
 
     /// Generates points; Ctrl-C ends the process, for there is nothing to clean up yet.
-    fn generate(&self, distribution: Distribution) -> PointSet {
-        let points = distribution.points(self.count as usize, self.seed);
-        PointSet {
+    fn generate(&self, distribution: Distribution) -> Result<PointSet, Failure> {
+        let count = self.count as usize;
+        require_room(count)?;
+        let points = distribution.points(count, self.seed);
+        Ok(PointSet {
             points: points.into_iter().map(Point::from).collect(),
             ..PointSet::default()
-        }
+        })
     }
+}
+
+/// Requires that so many points can be triangulated, and fit into memory.
+fn require_room(count: usize) -> Result<(), Failure> {
+    let given = words::count(count);
+    if count > MAX_POINTS {
+        let limit = words::count(MAX_POINTS);
+        return Err(Failure::NotReached(format!(
+            "{given} points: more than {limit} cannot be triangulated; ask for fewer"
+        )));
+    }
+    // Given back at once: generating needs as much, and would abort for want of it.
+    Vec::<Point>::new().try_reserve_exact(count).map_err(|_| {
+        Failure::NotReached(format!(
+            "{given} points do not fit into memory; ask for fewer"
+        ))
+    })
 }
 
 fn listing() -> String {

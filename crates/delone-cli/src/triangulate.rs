@@ -3,12 +3,12 @@
 mod report;
 
 use crate::exit::Failure;
-use crate::files::{self, Content, Outputs, Reading, Writing};
+use crate::files::{self, Content, Input, Outputs, Reading, Writing};
 use crate::progress::Progress;
 use crate::sample;
 use crate::timing::timed;
 use delone::Delaunay;
-use delone_io::{Format, MeshView, PointSet, Source};
+use delone_io::MeshView;
 use report::{Figures, Report, Seconds};
 use std::path::PathBuf;
 use std::thread::available_parallelism;
@@ -68,20 +68,22 @@ impl Triangulate {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         let outputs = self.outputs()?;
-        let source = self.source();
         let threads = self.threads();
         let progress = Progress::new(quiet);
 
-        let (mut set, read) = timed(|| self.reading.points(&source, &progress))?;
-        if !quiet {
-            self.say_what_is_left_out(&source, &set);
+        let (input, open) = timed(|| self.open())?;
+        outputs.spare(&input)?;
+        let name = input.name();
+        let ((mut set, unused), read) = timed(|| input.points(&progress))?;
+        // What came from a stream lies in memory until here.
+        drop(input);
+        if self.input.is_some() {
+            progress.note(&unused);
         }
         let points = std::mem::take(&mut set.points);
         let (result, triangulate) = timed(|| {
             let delaunay = Delaunay::new().threads(threads).watch(&progress);
-            delaunay
-                .triangulate(points)
-                .map_err(|e| failure(&source, e))
+            delaunay.triangulate(points).map_err(|e| failure(&name, e))
         })?;
         // Hashed before the files get their names, for after that nothing should take long.
         let figures = (self.json || !quiet).then(|| Figures::of(&result, threads));
@@ -92,7 +94,7 @@ impl Triangulate {
         progress.finish();
 
         if let Some(figures) = figures {
-            let report = Report::new(figures, Seconds::new(read, triangulate, write));
+            let report = Report::new(figures, Seconds::new(open + read, triangulate, write));
             if self.json {
                 files::print(&report.json())?;
             } else {
@@ -102,10 +104,14 @@ impl Triangulate {
         Ok(())
     }
 
-    fn source(&self) -> Source {
+    fn open(&self) -> Result<Input, Failure> {
         match &self.input {
-            Some(path) => Source::from_arg(path),
-            None => sample::embedded(),
+            Some(path) => self.reading.open(path),
+            None if self.reading.is_given() => {
+                let lacking = "--from and --columns are about INPUT, and none is named";
+                Err(Failure::Usage(lacking.to_owned()))
+            }
+            None => Ok(sample::embedded()),
         }
     }
 
@@ -142,22 +148,12 @@ impl Triangulate {
         self.writing
             .outputs([(mesh, Content::Mesh), (picture, Content::Picture)])
     }
-
-    fn say_what_is_left_out(&self, source: &Source, set: &PointSet) {
-        if self.reading.format(source) == Some(Format::Poly) {
-            eprintln!("note: {source}: only the points are used, segments and holes are not");
-        }
-        if self.input.is_some() && !set.left_out.is_empty() {
-            let columns = set.left_out.join(", ");
-            eprintln!("note: {source}: left out, because they hold no numbers: {columns}");
-        }
-    }
 }
 
-fn failure(source: &Source, error: delone::Error) -> Failure {
+fn failure(name: &str, error: delone::Error) -> Failure {
     match error {
         delone::Error::Cancelled => Failure::Cancelled,
-        delone::Error::NotFinite { .. } => Failure::BadInput(format!("{source}: {error}")),
-        _ => Failure::NotReached(format!("{source}: {error}")),
+        delone::Error::NotFinite { .. } => Failure::BadInput(format!("{name}: {error}")),
+        _ => Failure::NotReached(format!("{name}: {error}")),
     }
 }

@@ -1,4 +1,4 @@
-//! Ctrl-C: exit code 130, soon, and nothing half-written.
+//! Ctrl-C and its kin: exit code 128 and the signal, soon, and nothing half-written.
 #![cfg(unix)]
 
 mod support;
@@ -23,12 +23,16 @@ fn start(folder: &Folder, line: &str, stdin: Stdio) -> Child {
         .expect("the program starts")
 }
 
+fn send(child: &mut Child, signal: libc::c_int) {
+    let id = libc::pid_t::try_from(child.id()).expect("a process id");
+    // SAFETY: the child has not been waited for, so the id is still its own.
+    assert_eq!(unsafe { libc::kill(id, signal) }, 0);
+}
+
 /// Sends Ctrl-C after a while and returns how the program ended, and how long it took to.
 fn interrupt(child: &mut Child, after: Duration) -> (ExitStatus, Duration) {
     sleep(after);
-    let id = libc::pid_t::try_from(child.id()).expect("a process id");
-    // SAFETY: the child has not been waited for, so the id is still its own.
-    assert_eq!(unsafe { libc::kill(id, libc::SIGINT) }, 0);
+    send(child, libc::SIGINT);
     let start = Instant::now();
     let status = child.wait().expect("the program ends");
     (status, start.elapsed())
@@ -78,4 +82,46 @@ fn an_old_file_survives_a_cancelled_run() {
         assert_eq!(folder.read("mesh.vtu"), "old");
     }
     assert_eq!(folder.names(), ["mesh.vtu", "points.npy"]);
+}
+
+#[test]
+fn other_signals_have_their_own_exit_codes() {
+    let folder = Folder::new();
+    for (signal, code) in [(libc::SIGTERM, 143), (libc::SIGHUP, 129)] {
+        let mut child = start(&folder, "triangulate -", Stdio::piped());
+        sleep(Duration::from_millis(150));
+        send(&mut child, signal);
+        // The pipe stays open until the program has ended.
+        let stdin = child.stdin.take();
+        let status = child.wait().expect("the program ends");
+        drop(stdin);
+        assert_eq!(status.code(), Some(code));
+    }
+}
+
+#[test]
+fn signals_that_were_ignored_from_the_start_stay_ignored() {
+    let folder = Folder::new();
+    let mut child = Command::new("sh")
+        .args([
+            "-c",
+            "trap '' HUP INT; exec \"$0\" -q triangulate - -o mesh.vtu",
+        ])
+        .arg(assert_cmd::cargo::cargo_bin("delone"))
+        .current_dir(folder.path())
+        .stdin(Stdio::piped())
+        .spawn()
+        .expect("the shell starts");
+    sleep(Duration::from_millis(150));
+    send(&mut child, libc::SIGHUP);
+    send(&mut child, libc::SIGINT);
+    sleep(Duration::from_millis(150));
+    let mut stdin = child.stdin.take().expect("a pipe");
+    stdin
+        .write_all(support::POINTS.as_bytes())
+        .expect("the program reads");
+    drop(stdin);
+    let status = child.wait().expect("the program ends");
+    assert_eq!(status.code(), Some(0));
+    assert_eq!(folder.names(), ["mesh.vtu"]);
 }

@@ -90,3 +90,15 @@ fn points_of_another_file_must_all_be_there() {
         output.stdout
     );
 }
+
+#[test]
+fn a_file_that_cannot_be_read_does_not_hide_the_others() {
+    let folder = mesh(&TRIANGLES[..3]);
+    folder.write("points.csv", POINTS);
+    folder.run("triangulate points.csv -o good.vtu", 0);
+    let output = folder.run("check mesh.ele missing.ele good.vtu --json", 3);
+    assert_eq!(output.stdout.lines().count(), 2, "{}", output.stdout);
+    output.says(&["missing"]);
+    assert_eq!(output.stderr.lines().count(), 1, "{}", output.stderr);
+    folder.run("check missing.ele mesh.ele", 3);
+}

@@ -110,3 +110,98 @@ fn conversion_works_in_a_pipe() {
         .code(0)
         .stdout(predicates::str::starts_with("6 2 "));
 }
+
+#[test]
+fn the_content_tells_what_the_name_does_not() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv -o a.vtu -o b.npy", 0);
+    for (from, to) in [
+        ("a.vtu", "a.data"),
+        ("b.npy", "c"),
+        ("b.points.npy", "c.points.npy"),
+    ] {
+        std::fs::copy(folder.path().join(from), folder.path().join(to)).expect("a copy");
+    }
+    for (line, output) in [
+        ("convert a.data d.ele", "d.ele"),
+        ("convert - e.vtu", "e.vtu"),
+        ("convert c f.ele", "f.ele"),
+    ] {
+        folder
+            .command(line)
+            .write_stdin(folder.read("a.vtu"))
+            .assert()
+            .code(0);
+        let json = folder.run(&format!("check {output} --json"), 0).json();
+        assert_eq!(json["hash"], hash_by_hand(), "{line}");
+    }
+    folder
+        .command("convert - g.csv")
+        .write_stdin(support::POINTS)
+        .assert()
+        .code(0);
+    assert_eq!(folder.read("g.csv"), support::POINTS);
+}
+
+#[test]
+fn what_a_conversion_leaves_out_is_mentioned() {
+    let folder = Folder::new();
+    folder.write("named.csv", "x,y,name\n0,0,a\n1,0,b\n0,1,c\n");
+    folder
+        .run("convert named.csv a.npy", 0)
+        .says(&["note: named.csv", "name"]);
+    folder.run("triangulate named.csv -o m.vtu -o m.npy -o m.ele", 0);
+    for mesh in ["m.vtu", "m.npy", "m.ele"] {
+        folder
+            .run(&format!("convert {mesh} p.csv"), 0)
+            .says(&[&format!("note: {mesh}"), "only the points"]);
+        let rows = folder.read("p.csv");
+        let starts = rows.lines().zip(["x,y", "0,0", "1,0", "0,1"]);
+        assert!(
+            starts.clone().all(|(row, start)| row.starts_with(start)),
+            "{mesh}: {rows}"
+        );
+        assert_eq!(starts.count(), 4, "{mesh}: {rows}");
+    }
+    folder
+        .run("convert m.ele n.npy", 0)
+        .says(&["note: n.npy", "boundary markers"]);
+    folder
+        .run("sample populated-places -o cities.npy", 0)
+        .says(&["note", "name"]);
+    assert_eq!(folder.run("-q convert named.csv a.npy", 0).stderr, "");
+}
+
+#[test]
+fn more_points_than_can_be_had_are_4() {
+    let folder = Folder::new();
+    folder
+        .run("sample uniform -n 4000000000 -o a.npy", 4)
+        .says(&["4,000,000,000 points", "715,827,882"]);
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn more_points_than_fit_into_memory_are_4() {
+    let program = assert_cmd::cargo::cargo_bin("delone");
+    let line = "ulimit -v 2000000; exec \"$0\" sample uniform -n 500000000";
+    assert_cmd::Command::new("sh")
+        .args(["-c", line])
+        .arg(program)
+        .assert()
+        .code(4)
+        .stderr(predicates::str::contains("do not fit into memory"));
+}
+
+#[test]
+fn to_overrules_the_name_if_every_name_tells() {
+    let folder = Folder::new();
+    folder.run("sample uniform -n 9 -o s.txt --to npy", 0);
+    assert!(folder.bytes("s.txt").starts_with(b"\x93NUMPY"));
+    folder.run("convert s.txt t.txt --from npy --to node", 0);
+    assert!(folder.read("t.txt").starts_with("9 2 "));
+    let output = folder.run("sample uniform -n 9 -o a.csv -o - --to node", 0);
+    assert!(output.stdout.starts_with("9 2 "), "{}", output.stdout);
+    assert!(folder.read("a.csv").starts_with("x,y\n"));
+}

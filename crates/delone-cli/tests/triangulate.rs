@@ -238,6 +238,27 @@ fn text_columns_and_segments_left_out_are_mentioned() {
     assert_eq!(folder.run("-q triangulate named.csv", 0).stderr, "");
 }
 
+#[test]
+fn of_a_mesh_only_the_points_are_used_and_that_is_mentioned() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv -o m.ele -o m.vtu -o m.npy", 0);
+    for mesh in ["m.ele", "m.vtu", "m.npy"] {
+        let output = folder.run(&format!("triangulate {mesh} -o again.ele"), 0);
+        output.says(&[&format!("note: {mesh}: only the points"), "4 triangles"]);
+        let json = folder.run("check again.ele --json", 0).json();
+        assert_eq!(json["hash"], hash_by_hand(), "{mesh}");
+    }
+    for points in ["m.node", "m.points.npy"] {
+        let output = folder.run(&format!("triangulate {points}"), 0);
+        assert!(!output.stderr.contains("note"), "{}", output.stderr);
+    }
+    // Who names columns means the numbers of this very array.
+    let json = folder
+        .run("triangulate m.npy --columns 1,2 --json", 0)
+        .json();
+    assert_ne!(json["hash"], hash_by_hand());
+}
+
 #[cfg(unix)]
 #[test]
 fn the_name_of_the_device_means_standard_output() {

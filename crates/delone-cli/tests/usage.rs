@@ -33,6 +33,15 @@ fn wrong_usage_is_2() {
             &["--json", "standard output"],
         ),
         ("triangulate points.csv -o - -o - --to ele", &["only one"]),
+        (
+            "triangulate points.csv -o - --to poly",
+            &["poly", "node or ele"],
+        ),
+        ("sample uniform --to ele", &["ele", "cannot hold points"]),
+        ("triangulate --from csv", &["--from", "INPUT"]),
+        ("triangulate --columns lon,lat", &["--columns", "INPUT"]),
+        ("check - --points -", &["--points", "standard input"]),
+        ("convert - mesh.xls", &["mesh.xls", "csv", "ele"]),
         ("triangulate points.csv --columns x", &["two columns"]),
         (
             "triangulate points.csv --columns x,elevation",
@@ -52,6 +61,76 @@ fn wrong_usage_is_2() {
         output.says(words);
     }
     assert_eq!(folder.names(), ["points.csv"]);
+}
+
+#[test]
+fn no_input_is_overwritten_and_no_output_by_another() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv -o k.node --one-based", 0);
+    folder.run("triangulate points.csv -o m.npy", 0);
+    folder.write("without.poly", "0 2 0 0\n0 0\n0\n");
+    folder.write("without.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
+    let files = || folder.names().into_iter().map(|n| (folder.bytes(&n), n));
+    let before: Vec<_> = files().collect();
+    for (line, words) in [
+        (
+            "triangulate m.points.npy -o m.points.npy",
+            &["m.points.npy is the input"][..],
+        ),
+        (
+            "triangulate m.points.npy -o m.npy",
+            &["m.npy with its file m.points.npy", "is the input"],
+        ),
+        (
+            "triangulate k.node -o k.ele",
+            &["output k.ele", "k.node is the input"],
+        ),
+        (
+            "triangulate k.ele -o ./k.poly",
+            &["./k.poly", "k.node is the input"],
+        ),
+        (
+            "triangulate without.poly -o without.ele",
+            &["without.node is the input"],
+        ),
+        (
+            "triangulate points.csv --picture points.csv --to svg",
+            &["cannot hold a picture"],
+        ),
+        (
+            "convert points.csv points.csv",
+            &["points.csv is the input"],
+        ),
+        ("convert k.ele k.node --one-based", &["k.node is the input"]),
+        ("convert m.npy m.points.npy", &["m.points.npy is the input"]),
+        (
+            "triangulate points.csv -o q.npy -o q.points.npy",
+            &["q.npy", "both write q.points.npy"],
+        ),
+        (
+            "triangulate points.csv -o q.svg --picture q.svg --to png",
+            &["both write q.svg"],
+        ),
+    ] {
+        folder.run(line, 2).says(words);
+        assert!(files().eq(before.iter().cloned()), "{line}");
+    }
+    // A .poly with points of its own reads no .node, and one family may be named twice.
+    folder.write("with.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n0 0\n0\n");
+    for _ in 0..2 {
+        folder.run("triangulate with.poly -o with.ele -o with.node", 0);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_input_is_known_by_every_name() {
+    let folder = Folder::with_points();
+    let at = |name: &str| folder.path().join(name);
+    std::os::unix::fs::symlink(at("points.csv"), at("link.csv")).expect("a link");
+    folder
+        .run("convert points.csv link.csv", 2)
+        .says(&["link.csv", "points.csv is the input"]);
 }
 
 #[test]
@@ -101,8 +180,13 @@ fn what_cannot_be_written_is_4() {
     std::fs::create_dir(folder.path().join("taken.svg")).expect("a folder");
     folder
         .run("triangulate points.csv --picture taken.svg", 4)
-        .says(&["taken.svg"]);
-    assert_eq!(folder.names(), ["points.csv", "taken.svg"]);
+        .says(&["taken.svg", "folder"]);
+    std::fs::create_dir(folder.path().join("taken.neigh")).expect("a folder");
+    // Said before the work, whose input is not even there.
+    folder
+        .run("triangulate nowhere.csv -o taken.ele", 4)
+        .says(&["taken.neigh", "folder"]);
+    assert_eq!(folder.names(), ["points.csv", "taken.neigh", "taken.svg"]);
 }
 
 #[test]
