@@ -115,7 +115,7 @@ const TABLE: &[(&str, &str, &str)] = &[
     ),
     ("a.npy", "", "a.npy: the file is empty"),
     ("a.npy", "\u{93}", "not an array"),
-    ("a.vtu", "", "no <Piece>"),
+    ("a.vtu", "", "the file is empty"),
     (
         "a.vtu",
         "<VTKFile type=\"PolyData\"/>",
