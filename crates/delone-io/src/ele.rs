@@ -6,7 +6,7 @@
 use crate::scan::Scanner;
 use crate::target::Output;
 use crate::triangle_files::{self, Block, Header};
-use crate::{Error, MeshData, MeshView, PointSet, Problem, node};
+use crate::{Error, MeshData, MeshView, PointSet, Problem, node, points};
 use delone::{VertexId, Watch};
 
 /// Reads a whole `.ele` file over the vertices of its `.node` file.
@@ -25,21 +25,19 @@ pub(crate) fn read_mesh(
         return Err(header.problem(&scanner, problem));
     }
     let attributes = header.count(&scanner, 2, "attributes")?;
+    let attributes = points::check_columns(attributes).map_err(|p| header.problem(&scanner, p))?;
     let block = Block {
         items: "triangles",
         declared,
-        columns: usize::try_from(attributes)
-            .unwrap_or(usize::MAX)
-            .saturating_add(4),
+        columns: attributes + 4,
         base: (!vertices.points.is_empty()).then_some(vertices.base),
     };
     let mut mesh = MeshData {
         vertices,
+        triangle_attributes: (1..=attributes).map(node::unnamed).collect(),
         ..MeshData::default()
     };
-    let room = scanner.rows_left_at_most(2 * block.columns.min(1 << 20));
-    mesh.triangles
-        .reserve(room.min(usize::try_from(declared).unwrap_or(usize::MAX)));
+    scanner.reserve(&mut mesh.triangles, 2 * block.columns, declared);
     block.read(&mut scanner, |number, cells| push(&mut mesh, number, cells))?;
     triangle_files::expect_end(&mut scanner, "triangles", declared)?;
     Ok(mesh)
@@ -50,9 +48,6 @@ fn push(mesh: &mut MeshData, number: u64, cells: &[&[u8]]) -> Result<(), Problem
     let (base, num_vertices) = (mesh.vertices.base, mesh.vertices.points.len());
     let corner = |cell| triangle_files::vertex(cell, ("triangle", number), base, num_vertices);
     let triangle = [corner(cells[0])?, corner(cells[1])?, corner(cells[2])?];
-    if mesh.triangles.is_empty() {
-        mesh.triangle_attributes = (1..=cells.len() - 3).map(node::unnamed).collect();
-    }
     for (attribute, cell) in mesh.triangle_attributes.iter_mut().zip(&cells[3..]) {
         attribute
             .values

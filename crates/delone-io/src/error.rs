@@ -18,6 +18,16 @@ pub enum Error {
         /// What the operating system said.
         source: io::Error,
     },
+    /// Of several files, some have been replaced and one could not be.
+    #[error("cannot write {file}: {source}; already replaced: {replaced}")]
+    PartlyWritten {
+        /// Name of the file that could not be replaced.
+        file: String,
+        /// Names of the files that are new.
+        replaced: String,
+        /// What the operating system said.
+        source: io::Error,
+    },
     /// The content is not what the format demands.
     #[error("{file}{place}: {problem}")]
     Malformed {
@@ -57,6 +67,14 @@ pub enum Error {
         column: String,
         /// The columns that exist.
         available: String,
+    },
+    /// The column asked for as x is that asked for as y.
+    #[error("{file}: x and y are the same column, {column}; name two")]
+    SameColumn {
+        /// Name of the file.
+        file: String,
+        /// The column asked for.
+        column: String,
     },
     /// The mesh to be written is not one: a corner or a table does not fit the points.
     #[error("cannot write the mesh: {0}")]
@@ -166,8 +184,8 @@ pub enum Problem {
     /// There is nothing in the file.
     #[error("the file is empty")]
     Empty,
-    /// More rows than 32-bit ids can number.
-    #[error("{given} {items}, at most {limit} are possible; split the data into tiles")]
+    /// More rows than 32-bit ids can number, or more columns than any point needs.
+    #[error("{given} {items}, at most {limit} are possible; {}", remedy(.items))]
     TooMany {
         /// What is counted.
         items: &'static str,
@@ -182,5 +200,16 @@ pub enum Problem {
 }
 
 fn base_hint(base: u32) -> &'static str {
-    if base == 1 { " (numbered from 1)" } else { "" }
+    if base == 1 {
+        " (numbered from 1)"
+    } else {
+        " (numbered from 0)"
+    }
+}
+
+fn remedy(items: &str) -> &'static str {
+    match items {
+        "columns" => "keep those that are needed",
+        _ => "split the data into tiles",
+    }
 }

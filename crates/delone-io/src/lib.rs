@@ -41,6 +41,7 @@ mod cancel;
 mod edge;
 mod ele;
 mod error;
+mod exact;
 mod format;
 mod mesh;
 mod neigh;

@@ -2,7 +2,7 @@
 
 use crate::points::{read_sibling, resolve, unsupported};
 use crate::target::Staging;
-use crate::topology::Topology;
+use crate::topology::{self, Topology};
 use crate::{Attribute, Error, Format, PointSet, ReadOptions, Source, Target};
 use crate::{edge, ele, neigh, node, npy, png, svg, table, vtu};
 use delone::{Point, Triangulation, VertexId, Watch};
@@ -69,6 +69,19 @@ impl<'a> MeshView<'a> {
         }
     }
 
+    /// Marks each vertex: 1 on the boundary, 0 elsewhere. Duplicates are marked as the vertices that
+    /// stand for them, if a triangulation tells which.
+    fn boundary_markers(&self, topology: &Topology) -> Vec<i32> {
+        let mut markers = topology.boundary_markers(self.points.len());
+        for duplicate in self
+            .triangulation
+            .map_or(&[][..], Triangulation::duplicates)
+        {
+            markers[duplicate.dropped.index()] = markers[duplicate.kept.index()];
+        }
+        markers
+    }
+
     /// Visits the edges of a triangulation whose points all lie on one line.
     pub(crate) fn collinear_edges(&self) -> impl Iterator<Item = [VertexId; 2]> {
         self.triangulation
@@ -79,10 +92,11 @@ impl<'a> MeshView<'a> {
     /// Checks that corners are vertices and that every table has the right length.
     fn validate(&self) -> Result<(), Error> {
         let (n, m) = (self.points.len(), self.triangles.len());
+        topology::check_num_triangles(m)?;
         for (t, corners) in self.triangles.iter().enumerate() {
             if let Some(v) = corners.iter().find(|v| v.index() >= n) {
                 return Err(Error::BadMesh(format!(
-                    "triangle {t} names vertex {v} of {n}"
+                    "triangle {t} names vertex {v} of {n} (numbered from 0)"
                 )));
             }
         }
@@ -202,11 +216,12 @@ pub fn read_mesh(
 /// - `.node`, `.ele`, `.edge`, `.neigh` and `.poly` each write the family `stem.node`, `stem.ele`,
 ///   `stem.edge` and `stem.neigh`.
 /// - `.npy` writes the triangles as `int32` (m, 3), and the points beside it as `stem.points.npy`,
-///   `float64` (n, 2 + attributes).
+///   `float64` (n, 2 + attributes), and the caller's markers, if any, as a last column.
 /// - Standard output takes just the one file that the format names; for `.npy` the triangles.
 ///
-/// All files are complete under temporary names before the first is renamed; on error or
-/// cancellation none is left.
+/// All files are complete under temporary names before the first is renamed; on an error before, or
+/// cancellation, none is left. If a later one of several cannot be renamed, those before it stay, and
+/// the error names them.
 ///
 /// # Errors
 /// If the view is no mesh, a format cannot be written, writing fails, or the watch cancels.
@@ -229,7 +244,7 @@ pub fn write_mesh(
         None => Cow::Owned(
             topology
                 .as_ref()
-                .map_or_else(Vec::new, |t| t.boundary_markers(mesh.points.len())),
+                .map_or_else(Vec::new, |t| mesh.boundary_markers(t)),
         ),
     };
     let base = usize::from(options.one_based);
@@ -238,12 +253,12 @@ pub fn write_mesh(
     let mut staging = Staging::new(files.iter().map(rows).sum(), watch);
     for OutFile { path, content } in &files {
         staging.write(path.as_deref(), |out| match (content, &topology) {
-            (Content::Node, _) => node::write(out, mesh, &markers, base),
+            (Content::Node, _) => node::write(out, mesh, Some(&markers), base),
             (Content::Ele, _) => ele::write(out, mesh, base),
             (Content::Edge, Some(topology)) => edge::write(out, topology, base),
             (Content::Neigh, Some(topology)) => neigh::write(out, topology, base),
             (Content::NpyTriangles, _) => npy::write_triangles(out, mesh),
-            (Content::NpyPoints, _) => npy::write_points(out, mesh.points, mesh.attributes),
+            (Content::NpyPoints, _) => npy::write_points(out, mesh),
             (Content::Vtu, _) => vtu::write(out, mesh),
             (Content::Svg, _) => svg::write(out, mesh, &options.picture, watch),
             (Content::Png, _) => png::write(out, mesh, &options.picture, watch),
@@ -255,8 +270,8 @@ pub fn write_mesh(
 
 /// Writes points to every target and returns the names of the files written.
 ///
-/// `.node` and tables carry attributes, and markers where the format has them; `.npy` is `float64` (n, 2 + attributes);
-/// VTU and pictures show bare points.
+/// `.node`, tables and VTU carry attributes and markers; so does `.npy`, a `float64` array
+/// (n, 2 + attributes) with the markers, if any, as a last column. Pictures show bare points.
 ///
 /// # Errors
 /// As [`write_mesh`].
@@ -274,9 +289,9 @@ pub fn write_points(
     for target in targets {
         let format = target.format()?;
         staging.write(target.path.as_deref(), |out| match format {
-            Format::Node => node::write(out, &mesh, mesh.markers.unwrap_or_default(), base),
-            Format::Npy => npy::write_points(out, mesh.points, mesh.attributes),
-            Format::Table => table::write_points(out, points),
+            Format::Node => node::write(out, &mesh, mesh.markers, base),
+            Format::Npy => npy::write_points(out, &mesh),
+            Format::Table => table::write_points(out, target.path.as_deref(), points),
             Format::Vtu => vtu::write(out, &mesh),
             Format::Svg => svg::write(out, &mesh, &options.picture, watch),
             Format::Png => png::write(out, &mesh, &options.picture, watch),

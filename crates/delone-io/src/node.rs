@@ -6,7 +6,7 @@
 use crate::scan::{self, Scanner};
 use crate::target::Output;
 use crate::triangle_files::{self, Block, Header};
-use crate::{Attribute, Error, MeshView, PointSet, Problem};
+use crate::{Attribute, Error, MeshView, PointSet, Problem, points};
 use delone::{Point, Watch};
 
 /// Most points that one mesh can number.
@@ -54,7 +54,7 @@ pub(crate) fn read_block(
         return Err(header.problem(scanner, Problem::Dimension(dimension)));
     }
     let attributes = header.count(scanner, 2, "attributes")?;
-    let attributes = usize::try_from(attributes).unwrap_or(usize::MAX);
+    let attributes = points::check_columns(attributes).map_err(|p| header.problem(scanner, p))?;
     let has_markers = match header.count(scanner, 3, "markers")? {
         0 => false,
         1 => true,
@@ -66,16 +66,15 @@ pub(crate) fn read_block(
     let block = Block {
         items: "points",
         declared,
-        columns: attributes.saturating_add(3 + usize::from(has_markers)),
+        columns: attributes + 3 + usize::from(has_markers),
         base: None,
     };
     let mut set = PointSet {
         markers: has_markers.then(Vec::new),
+        attributes: (1..=attributes).map(unnamed).collect(),
         ..PointSet::default()
     };
-    let room = scanner.rows_left_at_most(2 * block.columns.max(3));
-    set.points
-        .reserve(room.min(usize::try_from(declared).unwrap_or(usize::MAX)));
+    scanner.reserve(&mut set.points, 2 * block.columns, declared);
     set.base = block.read(scanner, |number, cells| push(&mut set, number, cells))?;
     Ok(set)
 }
@@ -93,10 +92,6 @@ fn push(set: &mut PointSet, number: u64, cells: &[&[u8]]) -> Result<(), Problem>
     {
         markers.push(triangle_files::marker(last)?);
         rest = others;
-    }
-    if set.points.is_empty() {
-        // Only now is it certain that the file has as many columns as its header says.
-        set.attributes = (1..=rest.len()).map(unnamed).collect();
     }
     for (attribute, cell) in set.attributes.iter_mut().zip(rest) {
         attribute
@@ -128,11 +123,11 @@ pub(crate) fn too_many(given: u64) -> Problem {
 pub(crate) fn write(
     out: &mut Output<'_>,
     mesh: &MeshView<'_>,
-    markers: &[i32],
+    markers: Option<&[i32]>,
     base: usize,
 ) -> Result<(), Error> {
     let attributes = mesh.attributes;
-    let has_markers = usize::from(!markers.is_empty());
+    let has_markers = usize::from(markers.is_some());
     out.text(format_args!(
         "{} 2 {} {has_markers}\n",
         mesh.points.len(),
@@ -147,7 +142,7 @@ pub(crate) fn write(
             out.blank();
             out.number(value);
         }
-        if let Some(&marker) = markers.get(i) {
+        if let Some(marker) = markers.map(|markers| markers[i]) {
             out.blank();
             out.integer(marker.into());
         }

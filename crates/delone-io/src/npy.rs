@@ -6,7 +6,8 @@
 //! extended precision are not read. Written is version 1, C order, little-endian.
 
 use crate::target::Output;
-use crate::{Attribute, Column, Error, MeshData, MeshView, Place, PointSet, Problem, node, table};
+use crate::{Attribute, Column, Error, MeshData, MeshView, Place, PointSet, Problem};
+use crate::{exact, node, points, table};
 use delone::{Phase, Point, VertexId, Watch};
 
 const MAGIC: &[u8] = b"\x93NUMPY";
@@ -72,15 +73,15 @@ pub(crate) fn read_mesh(
         array.poll(row * 3, watch)?;
         let mut corners = [VertexId::INFINITE; 3];
         for (k, corner) in corners.iter_mut().enumerate() {
-            let value = array.value(row, k);
-            if !(0.0..num_vertices as f64).contains(&value) {
+            let value = array.integer(row, k);
+            if !(0..num_vertices as i128).contains(&value) {
                 return Err(array.malformed(
                     Place::Byte(array.offset(row, k) as u64),
                     Problem::BadIndex {
                         item: "triangle",
                         row: row as u64,
                         target: "vertex",
-                        index: value as i64,
+                        index: value.clamp(i64::MIN.into(), i64::MAX.into()) as i64,
                         limit: num_vertices as u64,
                         base: 0,
                     },
@@ -112,18 +113,19 @@ pub(crate) fn write_triangles(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Resu
     Ok(())
 }
 
-/// Writes the points as `float64` (n, 2 + attributes).
-pub(crate) fn write_points(
-    out: &mut Output<'_>,
-    points: &[Point],
-    attributes: &[Attribute],
-) -> Result<(), Error> {
-    write_header(out, "<f8", points.len(), 2 + attributes.len())?;
-    for (i, p) in points.iter().enumerate() {
+/// Writes the points as `float64` (n, 2 + attributes), and markers as a last column.
+pub(crate) fn write_points(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Error> {
+    let attributes = mesh.attributes;
+    let columns = 2 + attributes.len() + usize::from(mesh.markers.is_some());
+    write_header(out, "<f8", mesh.points.len(), columns)?;
+    for (i, p) in mesh.points.iter().enumerate() {
         out.bytes(&p.x.to_le_bytes())?;
         out.bytes(&p.y.to_le_bytes())?;
         for attribute in attributes {
             out.bytes(&attribute.values[i].to_le_bytes())?;
+        }
+        if let Some(markers) = mesh.markers {
+            out.bytes(&f64::from(markers[i]).to_le_bytes())?;
         }
         out.end_row()?;
     }
@@ -206,15 +208,19 @@ impl<'a> Array<'a> {
             let text = format!("shape {shape}: must be two-dimensional, (n, 2) or more columns");
             return Err(problem(Place::Byte(0), Problem::Other(text)));
         };
+        let columns = points::check_columns(columns).map_err(|p| problem(Place::Byte(0), p))?;
         let data = &bytes[start..];
-        let row_size = u128::from(columns) * width as u128;
-        if row_size * u128::from(rows) > data.len() as u128 {
+        let row_size = (columns * width) as u64;
+        if row_size
+            .checked_mul(rows)
+            .is_none_or(|size| size > data.len() as u64)
+        {
             return Err(problem(
                 Place::Byte(bytes.len() as u64),
                 Problem::Truncated {
                     items: "rows",
                     declared: rows,
-                    found: (data.len() as u128 / row_size) as u64,
+                    found: data.len() as u64 / row_size,
                 },
             ));
         }
@@ -224,7 +230,7 @@ impl<'a> Array<'a> {
             file,
             shape: shape.to_owned(),
             rows,
-            columns: columns as usize,
+            columns,
             kind,
             width,
             big_endian,
@@ -238,7 +244,7 @@ impl<'a> Array<'a> {
         let mut points = Vec::with_capacity(self.rows);
         for row in 0..self.rows {
             self.poll(row, watch)?;
-            let p = Point::new(self.value(row, x), self.value(row, y));
+            let p = Point::new(self.number(row, x)?, self.number(row, y)?);
             if !p.is_finite() {
                 let (axis, column, value) = if p.x.is_finite() {
                     ('y', y, p.y)
@@ -261,7 +267,7 @@ impl<'a> Array<'a> {
         let mut values = Vec::with_capacity(self.rows);
         for row in 0..self.rows {
             self.poll(row, watch)?;
-            values.push(self.value(row, column));
+            values.push(self.number(row, column)?);
         }
         Ok(values)
     }
@@ -288,7 +294,8 @@ impl<'a> Array<'a> {
         self.start + place * self.width
     }
 
-    fn value(&self, row: usize, column: usize) -> f64 {
+    /// Returns the bits of a number, as many as its width says.
+    fn bits(&self, row: usize, column: usize) -> u64 {
         let at = self.offset(row, column) - self.start;
         let bytes = &self.data[at..at + self.width];
         let mut little = [0; 8];
@@ -296,14 +303,35 @@ impl<'a> Array<'a> {
         if self.big_endian {
             little[..self.width].reverse();
         }
-        let bits = u64::from_le_bytes(little);
+        u64::from_le_bytes(little)
+    }
+
+    /// Returns a number of an array of integers.
+    fn integer(&self, row: usize, column: usize) -> i128 {
+        let bits = self.bits(row, column);
+        if self.kind == Kind::Unsigned {
+            return bits.into();
+        }
+        // Up to the top and back again carries the sign.
         let unused = 64 - 8 * self.width as u32;
+        (((bits << unused) as i64) >> unused).into()
+    }
+
+    /// Returns a number as a double.
+    ///
+    /// # Errors
+    /// If it is an integer that no double equals.
+    fn number(&self, row: usize, column: usize) -> Result<f64, Error> {
         match (self.kind, self.width) {
-            (Kind::Float, 4) => f32::from_bits(bits as u32).into(),
-            (Kind::Float, _) => f64::from_bits(bits),
-            (Kind::Unsigned, _) => bits as f64,
-            // Up to the top and back again carries the sign.
-            (Kind::Signed, _) => (((bits << unused) as i64) >> unused) as f64,
+            (Kind::Float, 4) => Ok(f32::from_bits(self.bits(row, column) as u32).into()),
+            (Kind::Float, _) => Ok(f64::from_bits(self.bits(row, column))),
+            _ => {
+                let value = self.integer(row, column);
+                exact::to_double(value).ok_or_else(|| {
+                    let place = Place::Byte(self.offset(row, column) as u64);
+                    self.malformed(place, exact::inexact(row, value))
+                })
+            }
         }
     }
 

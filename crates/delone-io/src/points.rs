@@ -1,9 +1,25 @@
 //! Point sets as files hold them, and how they are read.
 
-use crate::{Error, Format, Source, node, npy, poly, table, vtu};
+use crate::{Error, Format, Problem, Source, node, npy, poly, table, vtu};
 use delone::{Point, Watch};
 use std::fmt;
 use std::str::FromStr;
+
+/// Most columns that a file of points may have: far more than any has, and few enough that a broken
+/// header cannot exhaust the memory.
+const MAX_COLUMNS: u64 = 4096;
+
+/// Checks a number of columns, before anything is made for each of them.
+pub(crate) fn check_columns(given: u64) -> Result<usize, Problem> {
+    if given <= MAX_COLUMNS {
+        return Ok(given as usize);
+    }
+    Err(Problem::TooMany {
+        items: "columns",
+        given,
+        limit: MAX_COLUMNS,
+    })
+}
 
 /// A column of numbers that came with the points.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@
 
 use crate::scan::Scanner;
 use crate::triangle_files::{self, Block, Header};
-use crate::{Error, PointSet, node};
+use crate::{Error, PointSet, Problem, node};
 use delone::Watch;
 
 /// Reads the points; `elsewhere` reads the `.node` file if the points stand there.
@@ -29,7 +29,15 @@ pub(crate) fn read_points(
 }
 
 fn check_segments(scanner: &mut Scanner<'_>, points: &PointSet) -> Result<(), Error> {
-    let header = Header::read(scanner)?;
+    let header = Header::read(scanner).map_err(|error| match error {
+        Error::Malformed {
+            problem: Problem::Empty,
+            ..
+        } => scanner.here(Problem::Other(
+            "truncated: no header of segments".to_owned(),
+        )),
+        other => other,
+    })?;
     let block = Block {
         items: "segments",
         declared: header.count(scanner, 0, "segments")?,

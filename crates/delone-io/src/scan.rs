@@ -14,6 +14,8 @@ pub(crate) struct Scanner<'a> {
     /// Name of the file, for messages.
     pub file: &'a str,
     text: &'a [u8],
+    /// A line feed; a carriage return in files that have no line feed.
+    line_end: u8,
     position: usize,
     line: u64,
     watch: &'a dyn Watch,
@@ -22,7 +24,8 @@ pub(crate) struct Scanner<'a> {
 /// One line that holds something.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<'a> {
-    /// The line without comment and surrounding blanks.
+    /// The line without comment and surrounding blanks; tabs may be left, see
+    /// [`next_full_row`](Scanner::next_full_row).
     pub text: &'a [u8],
     /// Number of the line, from 1.
     pub line: u64,
@@ -30,9 +33,15 @@ pub(crate) struct Row<'a> {
 
 impl<'a> Scanner<'a> {
     pub fn new(file: &'a str, bytes: &'a [u8], watch: &'a dyn Watch) -> Self {
+        let has = |byte| memchr::memchr(byte, bytes).is_some();
         Self {
             file,
-            text: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes),
+            text: without_mark(bytes),
+            line_end: if has(b'\n') || !has(b'\r') {
+                b'\n'
+            } else {
+                b'\r'
+            },
             position: 0,
             line: 0,
             watch,
@@ -48,26 +57,22 @@ impl<'a> Scanner<'a> {
     }
 
     /// As [`next_row`](Self::next_row), but only whole lines are comments.
+    ///
+    /// Tabs at the ends stay: where they set cells apart, empty cells lie beyond them.
     pub fn next_full_row(&mut self) -> Result<Option<Row<'a>>, Error> {
-        self.next_row_by(|line| {
-            if line.first() == Some(&b'#') {
-                &[]
-            } else {
-                line
-            }
-        })
+        self.next_row_by(full_row)
     }
 
     fn next_row_by(&mut self, strip: impl Fn(&[u8]) -> &[u8]) -> Result<Option<Row<'a>>, Error> {
         while self.position < self.text.len() {
             let rest = &self.text[self.position..];
-            let end = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
+            let end = memchr::memchr(self.line_end, rest).unwrap_or(rest.len());
             self.position += (end + 1).min(rest.len());
             self.line += 1;
             if self.line.is_multiple_of(LINES_PER_POLL) {
                 self.poll()?;
             }
-            let text = strip(rest[..end].trim_ascii()).trim_ascii();
+            let text = strip(&rest[..end]);
             if !text.is_empty() {
                 let line = self.line;
                 return Ok(Some(Row { text, line }));
@@ -85,10 +90,12 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    /// Bounds the number of rows still to come, from the bytes left; what to reserve is the
-    /// smaller of this and of what the file declares.
-    pub fn rows_left_at_most(&self, bytes_per_row: usize) -> usize {
-        (self.text.len() - self.position) / bytes_per_row + 1
+    /// Reserves room for the rows still to come: as many as are declared, but no more than the bytes
+    /// left can hold. Without memory for so many, the vector grows with the rows that do come.
+    pub fn reserve<T>(&self, rows: &mut Vec<T>, bytes_per_row: usize, declared: u64) {
+        let possible = (self.text.len() - self.position) / bytes_per_row + 1;
+        let declared = usize::try_from(declared).unwrap_or(usize::MAX);
+        drop(rows.try_reserve(possible.min(declared)));
     }
 
     /// Makes the error for a problem in a row.
@@ -121,7 +128,22 @@ impl<'a> Row<'a> {
 }
 
 fn strip_comment(line: &[u8]) -> &[u8] {
-    &line[..memchr::memchr(b'#', line).unwrap_or(line.len())]
+    line[..memchr::memchr(b'#', line).unwrap_or(line.len())].trim_ascii()
+}
+
+fn full_row(mut line: &[u8]) -> &[u8] {
+    if matches!(line.trim_ascii_start(), [] | [b'#', ..]) {
+        return &[];
+    }
+    while let [b' ' | b'\r', rest @ ..] | [rest @ .., b' ' | b'\r'] = line {
+        line = rest;
+    }
+    line
+}
+
+/// Takes off the mark of UTF-8 at the beginning of a text.
+pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 /// Reads a number as Rust does: `1`, `-.5`, `1e-3`, `inf`, `nan`.

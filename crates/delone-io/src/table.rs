@@ -1,17 +1,25 @@
 //! Text tables: CSV, TSV, XYZ, and columns set apart by blanks.
 //!
 //! The first rows tell the delimiter: tab, semicolon, comma, or else blanks. The first row is a
-//! header if it names x and y or holds no number. Lines that begin with `#` are comments; in
+//! header if it names the columns asked for, or x and y, or holds no number. A header without rows is
+//! an empty table only if it names the columns of points. Lines that begin with `#` are comments; in
 //! tables with blanks, so is the rest of a line from `#` on. Cells may be quoted as in CSV
 //! (RFC 4180), but not run over a line end. x, y and every further column of numbers are read;
 //! columns that hold text are left out, and their names kept. An empty cell of a further column is
 //! NaN. Decimal commas and separators of thousands are not understood.
 //!
+//! Written are commas, tabs or blanks, as the extension has it.
+//!
 //! *Cost*: about 100 ns a row of three numbers.
 
+mod delimiter;
+mod write;
+
+pub(crate) use write::write_points;
+
 use crate::scan::{self, Row, Scanner};
-use crate::target::Output;
-use crate::{Attribute, Column, Error, Place, PointSet, Problem, node};
+use crate::{Attribute, Column, Error, Place, PointSet, Problem, node, points};
+use delimiter::{Delimiter, ROWS_LOOKED_AT};
 use delone::{Point, Watch};
 use std::borrow::Cow;
 
@@ -25,9 +33,6 @@ const KNOWN_NAMES: [[&str; 2]; 6] = [
     ["e", "n"],
 ];
 
-/// Rows that are looked at to tell the delimiter.
-const ROWS_FOR_DELIMITER: usize = 8;
-
 /// Reads a whole table; `columns` chooses those of x and y.
 pub(crate) fn read_points(
     file: &str,
@@ -35,40 +40,79 @@ pub(crate) fn read_points(
     columns: Option<&[Column; 2]>,
     watch: &dyn Watch,
 ) -> Result<PointSet, Error> {
-    let delimiter = Delimiter::detect(file, bytes)?;
-    let mut scanner = Scanner::new(file, bytes, watch);
-    let Some(first) = delimiter.next_row(&mut scanner)? else {
-        return Err(scanner.malformed(Place::File, Problem::Empty));
+    let mut reader = Reader::new(file, bytes, watch)?;
+    let Some(first) = reader.next_row()? else {
+        return Err(reader.scanner.malformed(Place::File, Problem::Empty));
     };
-    let mut cells = Vec::new();
-    delimiter
-        .split(first, &mut cells)
-        .map_err(|p| scanner.at(first, p))?;
-    let header = is_header(&cells).then(|| names_of(&cells));
+    let width = reader.cells.len();
+    check_possible(width).map_err(|p| reader.scanner.at(first, p))?;
+    let header = is_header(&reader.cells, columns).then(|| names_of(&reader.cells));
     let mut pending = Some(first);
     if header.is_some() {
-        pending = delimiter.next_row(&mut scanner)?;
-        if let Some(row) = pending {
-            let width = cells.len();
-            delimiter
-                .split(row, &mut cells)
-                .map_err(|p| scanner.at(row, p))?;
-            check_width(width, cells.len()).map_err(|p| scanner.at(row, p))?;
-        }
+        pending = reader.next_row()?;
     }
-    let mut table = Table::new(file, &cells, header, columns)
-        .map_err(|e| e.unwrap_or_else(|| scanner.at(first, too_few(cells.len()))))?;
-    let rows = scanner.rows_left_at_most(first.text.len() / 2 + 1);
-    table.points.reserve(rows);
+    if let Some(row) = pending {
+        check_width(width, reader.cells.len()).map_err(|p| reader.scanner.at(row, p))?;
+    } else if !header.as_deref().is_some_and(|h| names_points(h, columns)) {
+        return Err(reader.scanner.malformed(Place::File, no_numbers()));
+    }
+    let mut table = Table::new(file, &reader.cells, header, columns)?;
+    let bytes_per_row = (2 * width).max(first.text.len() / 2);
+    reader
+        .scanner
+        .reserve(&mut table.points, bytes_per_row, u64::MAX);
     while let Some(row) = pending {
-        delimiter
-            .split(row, &mut cells)
-            .map_err(|p| scanner.at(row, p))?;
-        table.push(&cells).map_err(|p| scanner.at(row, p))?;
-        pending = delimiter.next_row(&mut scanner)?;
+        let pushed = table.push(&reader.cells);
+        pushed.map_err(|p| reader.scanner.at(row, p))?;
+        pending = reader.next_row()?;
     }
     table.points.shrink_to_fit();
     Ok(table.finish())
+}
+
+/// Walks over the rows of a table.
+struct Reader<'a> {
+    scanner: Scanner<'a>,
+    delimiter: Delimiter,
+    /// The cells of the row just read.
+    cells: Vec<Cow<'a, [u8]>>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(file: &'a str, bytes: &'a [u8], watch: &'a dyn Watch) -> Result<Self, Error> {
+        let scanner = Scanner::new(file, bytes, watch);
+        if let Some(place) = memchr::memchr(0, bytes) {
+            let problem = "a zero byte: this is no text, or not in UTF-8".to_owned();
+            return Err(scanner.malformed(Place::Byte(place as u64), Problem::Other(problem)));
+        }
+        Ok(Self {
+            scanner,
+            delimiter: Delimiter::detect(file, bytes)?,
+            cells: Vec::new(),
+        })
+    }
+
+    /// Reads a row and takes it apart.
+    fn next_row(&mut self) -> Result<Option<Row<'a>>, Error> {
+        let row = self.delimiter.next_row(&mut self.scanner)?;
+        if let Some(row) = row {
+            let split = self.delimiter.split(row, &mut self.cells);
+            split.map_err(|p| self.scanner.at(row, p))?;
+        }
+        Ok(row)
+    }
+}
+
+/// Checks that a table of this many columns can hold points.
+fn check_possible(width: usize) -> Result<(), Problem> {
+    if width < 2 {
+        return Err(too_few(width));
+    }
+    points::check_columns(width as u64).map(drop)
+}
+
+fn no_numbers() -> Problem {
+    Problem::Other("no row of numbers, and no columns x and y".to_owned())
 }
 
 fn too_few(found: usize) -> Problem {
@@ -91,8 +135,8 @@ pub(crate) fn sniff(head: &[u8]) -> bool {
         return false;
     }
     // The last line may be cut off.
-    let lines = head.split(|&b| b == b'\n').take(ROWS_FOR_DELIMITER);
-    lines.into_iter().any(|line| {
+    let lines = scan::without_mark(head).split(|b| b"\n\r".contains(b));
+    lines.take(2 * ROWS_LOOKED_AT).any(|line| {
         let cells = line.split(|b| b",;\t \r".contains(b));
         cells.filter(|cell| scan::number(cell).is_some()).count() >= 2
     })
@@ -125,7 +169,14 @@ pub(crate) fn choose(
             available: available(names),
         })
     };
-    Ok([found(&columns[0])?, found(&columns[1])?])
+    let [x, y] = [found(&columns[0])?, found(&columns[1])?];
+    if x == y {
+        return Err(Error::SameColumn {
+            file: file.to_owned(),
+            column: columns[0].to_string(),
+        });
+    }
+    Ok([x, y])
 }
 
 /// Lists the columns for a message, the first few of them.
@@ -140,13 +191,21 @@ fn available(names: &[String]) -> String {
     list.join(", ")
 }
 
-fn is_header(cells: &[Cow<'_, [u8]>]) -> bool {
-    known_columns(&names_of(cells)).is_some()
+/// Tells whether a row names columns: those asked for, known ones, or nothing but text.
+fn is_header(cells: &[Cow<'_, [u8]>], columns: Option<&[Column; 2]>) -> bool {
+    names_points(&names_of(cells), columns)
         || cells.iter().all(|cell| scan::number(cell).is_none())
             && cells
                 .iter()
                 .any(|cell| cell.iter().any(u8::is_ascii_alphabetic))
             && cells.len() >= 2
+}
+
+/// Tells whether the columns of points are among these names.
+fn names_points(names: &[String], columns: Option<&[Column; 2]>) -> bool {
+    let by_name = |columns: &&[Column; 2]| columns.iter().any(|c| matches!(c, Column::Name(_)));
+    let asked = columns.filter(by_name);
+    known_columns(names).is_some() || asked.is_some_and(|c| choose("", c, names).is_ok())
 }
 
 fn names_of(cells: &[Cow<'_, [u8]>]) -> Vec<String> {
@@ -159,112 +218,6 @@ fn known_columns(names: &[String]) -> Option<[usize; 2]> {
     KNOWN_NAMES
         .iter()
         .find_map(|[x, y]| Some([find(x)?, find(y)?]))
-}
-
-/// What sets cells apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Delimiter {
-    Byte(u8),
-    Blanks,
-}
-
-impl Delimiter {
-    /// Takes the first of tab, semicolon and comma that divides the first rows into equally many
-    /// cells, otherwise blanks.
-    fn detect(file: &str, bytes: &[u8]) -> Result<Self, Error> {
-        let mut scanner = Scanner::new(file, bytes, &());
-        let mut rows = Vec::new();
-        while rows.len() < ROWS_FOR_DELIMITER
-            && let Some(row) = scanner.next_full_row()?
-        {
-            rows.push(row);
-        }
-        let divides = |&byte: &u8| {
-            let mut widths = rows.iter().map(|row| Cells::new(row.text, byte).count());
-            widths
-                .next()
-                .is_some_and(|first| first > 1 && widths.all(|w| w == first))
-        };
-        // Rows of unequal width are an error soon; the delimiter that stands in the first row
-        // makes the best message.
-        let stands = |byte: &&u8| rows.first().is_some_and(|row| row.text.contains(byte));
-        let found = b"\t;,".iter().find(|byte| divides(byte));
-        let found = found.or_else(|| b";,".iter().find(stands));
-        Ok(found.map_or(Self::Blanks, |&byte| Self::Byte(byte)))
-    }
-
-    fn next_row<'a>(self, scanner: &mut Scanner<'a>) -> Result<Option<Row<'a>>, Error> {
-        match self {
-            Self::Byte(_) => scanner.next_full_row(),
-            Self::Blanks => scanner.next_row(),
-        }
-    }
-
-    /// Splits a row into `cells`.
-    fn split<'a>(self, row: Row<'a>, cells: &mut Vec<Cow<'a, [u8]>>) -> Result<(), Problem> {
-        cells.clear();
-        match self {
-            Self::Blanks => cells.extend(row.words().map(Cow::Borrowed)),
-            Self::Byte(byte) => {
-                for cell in Cells::new(row.text, byte) {
-                    cells.push(unquote(cell)?);
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Splits a line at a delimiter that does not stand between quotes.
-struct Cells<'a> {
-    rest: Option<&'a [u8]>,
-    delimiter: u8,
-}
-
-impl<'a> Cells<'a> {
-    fn new(line: &'a [u8], delimiter: u8) -> Self {
-        let rest = Some(line);
-        Self { rest, delimiter }
-    }
-}
-
-impl<'a> Iterator for Cells<'a> {
-    type Item = &'a [u8];
-
-    fn next(&mut self) -> Option<&'a [u8]> {
-        let line = self.rest?;
-        let mut quoted = false;
-        let end = line.iter().position(|&b| {
-            quoted ^= b == b'"';
-            b == self.delimiter && !quoted
-        });
-        let end = end.unwrap_or(line.len());
-        self.rest = line.get(end + 1..);
-        Some(line[..end].trim_ascii())
-    }
-}
-
-/// Removes the quotes around a cell; doubled ones within stand for one.
-fn unquote(cell: &[u8]) -> Result<Cow<'_, [u8]>, Problem> {
-    let Some(inner) = cell.strip_prefix(b"\"") else {
-        return Ok(Cow::Borrowed(cell));
-    };
-    let Some(inner) = inner.strip_suffix(b"\"") else {
-        let text = scan::show(cell);
-        return Err(Problem::Other(format!("quote without end: {text}")));
-    };
-    if !inner.contains(&b'"') {
-        return Ok(Cow::Borrowed(inner.trim_ascii()));
-    }
-    let mut kept = Vec::with_capacity(inner.len());
-    let mut after_quote = false;
-    for &b in inner {
-        after_quote = b == b'"' && !after_quote;
-        if !after_quote {
-            kept.push(b);
-        }
-    }
-    Ok(Cow::Owned(kept))
 }
 
 /// The columns as they fill up.
@@ -284,17 +237,14 @@ struct Other {
 }
 
 impl Table {
-    /// Decides on columns by the first row of data. `None` as error means too few columns.
+    /// Decides on columns by the first row of data.
     fn new(
         file: &str,
         cells: &[Cow<'_, [u8]>],
         header: Option<Vec<String>>,
         columns: Option<&[Column; 2]>,
-    ) -> Result<Self, Option<Error>> {
+    ) -> Result<Self, Error> {
         let width = cells.len();
-        if width < 2 {
-            return Err(None);
-        }
         let known = header.as_deref().and_then(known_columns);
         let names = header.unwrap_or_else(|| (0..width).map(unnamed).collect());
         let [x, y] = match columns {
@@ -369,40 +319,4 @@ fn first_numbers(cells: &[Cow<'_, [u8]>]) -> [usize; 2] {
         (Some(x), Some(y)) => [x, y],
         _ => [0, 1],
     }
-}
-
-/// Writes points as CSV with a header.
-pub(crate) fn write_points(out: &mut Output<'_>, set: &PointSet) -> Result<(), Error> {
-    out.text(format_args!("x,y"))?;
-    for attribute in &set.attributes {
-        out.text(format_args!(",{}", quoted(&attribute.name)))?;
-    }
-    if set.markers.is_some() {
-        out.text(format_args!(",marker"))?;
-    }
-    out.end_line()?;
-    for (i, p) in set.points.iter().enumerate() {
-        out.number(p.x);
-        out.comma();
-        out.number(p.y);
-        for attribute in &set.attributes {
-            out.comma();
-            out.number(attribute.values[i]);
-        }
-        if let Some(markers) = &set.markers {
-            out.comma();
-            out.integer(markers[i].into());
-        }
-        out.end_line()?;
-    }
-    Ok(())
-}
-
-fn quoted(name: &str) -> Cow<'_, str> {
-    // A line end within quotes would not be read back.
-    let name = name.replace(['\n', '\r'], " ");
-    if name.contains([',', '"', ';', '\t', '#']) {
-        return Cow::Owned(format!("\"{}\"", name.replace('"', "\"\"")));
-    }
-    Cow::Owned(name)
 }

@@ -1,10 +1,10 @@
 //! Where output goes: files, written to temporary names and renamed together, or standard output.
 //!
-//! A file appears under its name only when it and all that are written with it are complete. The
-//! promise holds against errors, cancellation and a crash of the program; the files are not
+//! A file appears under its name only when it and all that are written with it are complete. Should
+//! one of several then not get its name, those before it stay, and the error names them. The promise holds against errors, cancellation and a crash of the program; the files are not
 //! flushed to the disk, so it does not hold against a power cut.
 
-use crate::unfinished::{Unfinished, persist_all};
+use crate::unfinished::{NotRenamed, Unfinished, persist_all};
 use crate::{Error, Format};
 use delone::{Phase, Watch};
 use std::ffi::OsStr;
@@ -147,12 +147,27 @@ impl<'a> Staging<'a> {
         if self.watch.is_cancelled() {
             return Err(Error::Cancelled);
         }
-        persist_all(self.complete).map_err(|(place, source)| Error::Io {
-            action: "write",
-            file: place.display().to_string(),
-            source,
-        })?;
+        persist_all(self.complete).map_err(not_renamed)?;
         Ok(self.names)
+    }
+}
+
+fn not_renamed(failed: NotRenamed) -> Error {
+    let file = failed.place.display().to_string();
+    let source = failed.source;
+    if failed.replaced.is_empty() {
+        let action = "write";
+        return Error::Io {
+            action,
+            file,
+            source,
+        };
+    }
+    let names = failed.replaced.iter().map(|p| p.display().to_string());
+    Error::PartlyWritten {
+        file,
+        replaced: names.collect::<Vec<_>>().join(", "),
+        source,
     }
 }
 
@@ -211,9 +226,9 @@ impl<'a> Output<'a> {
         self.buffer.push(b' ');
     }
 
-    /// Appends a separator between two cells.
-    pub fn comma(&mut self) {
-        self.buffer.push(b',');
+    /// Appends what sets two cells apart.
+    pub fn separator(&mut self, byte: u8) {
+        self.buffer.push(byte);
     }
 
     /// Ends a row of text.

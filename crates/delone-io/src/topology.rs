@@ -7,6 +7,19 @@
 use crate::{Error, cancel};
 use delone::{TriangleId, Triangulation, VertexId, Watch};
 
+/// Most triangles whose half-edges 32 bits can number.
+const MAX_TRIANGLES: usize = (u32::MAX / 3) as usize;
+
+/// Checks a number of triangles.
+pub(crate) fn check_num_triangles(given: usize) -> Result<(), Error> {
+    if given <= MAX_TRIANGLES {
+        return Ok(());
+    }
+    Err(Error::BadMesh(format!(
+        "{given} triangles, at most {MAX_TRIANGLES} are possible; split the data into tiles"
+    )))
+}
+
 /// Stands for "no neighbour".
 pub(crate) const NO_NEIGHBOR: u32 = u32::MAX;
 
@@ -164,7 +177,7 @@ fn gather(triangles: &[[VertexId; 3]], watch: &dyn Watch) -> Result<Gathered, Er
 
 #[cfg(test)]
 mod tests {
-    use super::Topology;
+    use super::{MAX_TRIANGLES, Topology, check_num_triangles};
     use delone::{Point, VertexId, triangulate};
 
     #[test]
@@ -181,6 +194,16 @@ mod tests {
         let mut on_hull = vec![0; t.points().len()];
         t.hull().for_each(|v| on_hull[v.index()] = 1);
         assert_eq!(known.boundary_markers(on_hull.len()), on_hull);
+    }
+
+    #[test]
+    fn more_triangles_than_half_edges_can_number_are_refused() {
+        assert!(check_num_triangles(MAX_TRIANGLES).is_ok());
+        let error = check_num_triangles(MAX_TRIANGLES + 1).expect_err("too many");
+        assert!(
+            error.to_string().contains("1431655766 triangles"),
+            "{error}"
+        );
     }
 
     #[test]

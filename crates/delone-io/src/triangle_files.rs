@@ -146,11 +146,13 @@ pub(crate) fn number(word: &[u8], what: &str) -> Result<f64, Problem> {
 
 /// Reads an integer that fits 32 bits.
 pub(crate) fn marker(word: &[u8]) -> Result<i32, Problem> {
-    let value = scan::integer(word).and_then(|value| i32::try_from(value).ok());
-    value.ok_or_else(|| Problem::NotANumber {
+    let text = || scan::show(word);
+    let value = scan::integer(word).ok_or_else(|| Problem::NotANumber {
         what: "marker".to_owned(),
-        text: scan::show(word),
-    })
+        text: text(),
+    })?;
+    i32::try_from(value)
+        .map_err(|_| Problem::Other(format!("marker {} does not fit 32 bits", text())))
 }
 
 /// Reads a reference to a vertex and returns its index from 0.

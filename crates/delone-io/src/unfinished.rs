@@ -54,10 +54,17 @@ impl Drop for Unfinished {
     }
 }
 
+/// A file that could not get its name.
+#[derive(Debug)]
+pub(crate) struct NotRenamed {
+    pub place: PathBuf,
+    pub source: io::Error,
+    /// Those that have got theirs before.
+    pub replaced: Vec<PathBuf>,
+}
+
 /// Gives every file its name; stops at the first that cannot be renamed, and removes the rest.
-pub(crate) fn persist_all(
-    unfinished: Vec<(Unfinished, PathBuf)>,
-) -> Result<(), (PathBuf, io::Error)> {
+pub(crate) fn persist_all(unfinished: Vec<(Unfinished, PathBuf)>) -> Result<(), NotRenamed> {
     let mut files = files();
     let paths: Vec<(TempPath, PathBuf)> = unfinished
         .into_iter()
@@ -66,8 +73,17 @@ pub(crate) fn persist_all(
     for (path, _) in &paths {
         files.remove(path.as_ref() as &Path);
     }
+    let mut replaced = Vec::new();
     for (path, place) in paths {
-        path.persist(&place).map_err(|e| (place, e.error))?;
+        if let Err(error) = path.persist(&place) {
+            let source = error.error;
+            return Err(NotRenamed {
+                place,
+                source,
+                replaced,
+            });
+        }
+        replaced.push(place);
     }
     Ok(())
 }
@@ -94,6 +110,23 @@ fn create_beside(place: &Path) -> io::Result<(File, TempPath)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_failed_rename_names_the_files_before_it() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let places = ["a", "b", "c"].map(|name| folder.path().join(name));
+        let files = places.clone().map(|place| {
+            let (_, file) = Unfinished::create_beside(&place).expect("the folder is writable");
+            (file, place)
+        });
+        // A file cannot replace a folder.
+        fs::create_dir(&places[1]).expect("the folder is writable");
+        let error = persist_all(files.into()).expect_err("b is a folder");
+        assert_eq!(error.place, places[1]);
+        assert_eq!(error.replaced, places[..1]);
+        let entries = fs::read_dir(folder.path()).expect("the folder is there");
+        assert_eq!(entries.count(), 2, "c is not left under any name");
+    }
 
     #[test]
     fn files_are_listed_until_they_are_dropped_or_have_their_names() {

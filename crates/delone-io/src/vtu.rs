@@ -3,13 +3,40 @@
 //! *VTK File Formats*, <https://docs.vtk.org/en/latest/vtk_file_formats/index.html>. Written are the points
 //! with z = 0, the triangles, attributes as point and cell data, all arrays inline in base64 without
 //! compression. Read are triangles in inline base64 or ASCII arrays; appended and compressed data
-//! are not.
+//! are not. A z that is not zero everywhere becomes an attribute, as does each component of data
+//! that have several.
 
+mod array;
+mod grid;
 mod read;
 mod write;
 
 pub(crate) use read::{read_mesh, sniff};
 pub(crate) use write::write;
 
+use crate::{Problem, cancel};
+use delone::Watch;
+
 /// VTK's number for a triangle.
 const TRIANGLE: u8 = 5;
+
+/// Why reading stopped early.
+enum Stop {
+    Problem(Problem),
+    Cancelled,
+}
+
+impl From<Problem> for Stop {
+    fn from(problem: Problem) -> Self {
+        Self::Problem(problem)
+    }
+}
+
+fn other(text: impl Into<String>) -> Problem {
+    Problem::Other(text.into())
+}
+
+/// Stops once the watch has cancelled; asks it in one of many rounds.
+fn poll(watch: &dyn Watch, round: usize) -> Result<(), Stop> {
+    cancel::check(watch, round).map_err(|_| Stop::Cancelled)
+}

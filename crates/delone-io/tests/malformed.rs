@@ -69,7 +69,7 @@ const TABLE: &[(&str, &str, &str)] = &[
     (
         "a.node",
         "1 2 99999999999 0\n1 0 0\n",
-        "expected 100000000002 columns, found 3",
+        "99999999999 columns, at most 4096 are possible",
     ),
     (
         "a.node",
@@ -92,7 +92,27 @@ const TABLE: &[(&str, &str, &str)] = &[
         "1 2 0 0\n1 0 0\n9 0\n1 1 1\n",
         "header says 9 segments, file has 1",
     ),
+    (
+        "a.poly",
+        "2 2 0 0\n1 0 0\n2 1 0\n",
+        "a.poly:3: truncated: no header of segments",
+    ),
+    (
+        "a.node",
+        "1 2 0 1\n1 0 0 3000000000\n",
+        "a.node:2: marker 3000000000 does not fit 32 bits",
+    ),
     ("a.csv", "", "a.csv: the file is empty"),
+    ("a.csv", "hello,world\n", "a.csv: no row of numbers"),
+    ("a.xyz", "hello world\n", "a.xyz: no row of numbers"),
+    ("a.xyz", "hello world\nand others\n", "x is not a number"),
+    ("a.csv", "1,2\n3\0,4\n", "a.csv at byte 5: a zero byte"),
+    (
+        "a.csv",
+        "1,2\n3,4\r5,6\n",
+        "a.csv:2: a carriage return within a line",
+    ),
+    ("a.tsv", "1\t\n3\t4\n", "a.tsv:1: y is not a number: \"\""),
     (
         "a.csv",
         "x,y\n1,2\n3,four\n",
@@ -115,7 +135,13 @@ const TABLE: &[(&str, &str, &str)] = &[
     ),
     ("a.npy", "", "a.npy: the file is empty"),
     ("a.npy", "\u{93}", "not an array"),
-    ("a.vtu", "", "no <Piece>"),
+    ("a.vtu", "", "a.vtu: the file is empty"),
+    ("a.vtu", "<VTKFile/>", "no <Piece>"),
+    (
+        "a.vtu",
+        "<VTKFile><Piece>",
+        "truncated: the file ends before </VTKFile>",
+    ),
     (
         "a.vtu",
         "<VTKFile type=\"PolyData\"/>",
@@ -220,16 +246,128 @@ fn checked(mesh: MeshData) -> PointSet {
     mesh.vertices
 }
 
+/// Makes an array file.
+fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}\n");
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((text.len() as u16).to_le_bytes());
+    bytes.extend(text.bytes());
+    bytes.extend(data);
+    bytes
+}
+
+#[test]
+fn shapes_of_arrays_are_checked_before_anything_is_made() {
+    let read = |shape| points_of("a.npy", &npy("<f8", shape, &[]));
+    for (shape, expected) in [
+        ("(0, 1000000000000000000)", "1000000000000000000 columns"),
+        ("(0, 5000000)", "5000000 columns, at most 4096"),
+        ("(9223372036854775808, 4611686018427387904)", "at most 4096"),
+        ("(9223372036854775808, 2)", "says 9223372036854775808 rows"),
+        ("(4611686018427387904, 4096)", "file has 0"),
+        ("(1, 0)", "holds no points"),
+    ] {
+        assert_error(read(shape), expected);
+    }
+    assert_eq!(read("(0, 2)").expect("no points").points, []);
+}
+
+#[test]
+fn integers_beyond_the_precision_of_doubles_are_refused() {
+    let rows = [[1, 2], [3, (1i64 << 53) + 1]];
+    let bytes: Vec<u8> = rows
+        .iter()
+        .flatten()
+        .flat_map(|v| v.to_le_bytes())
+        .collect();
+    for kind in ["<i8", "<u8"] {
+        let outcome = points_of("a.npy", &npy(kind, "(2, 2)", &bytes));
+        assert_error(outcome, "row 1: 9007199254740993 cannot be held exactly");
+    }
+    let points = points_of("a.npy", &npy("<i8", "(1, 2)", &bytes[..16]));
+    assert_eq!(points.expect("small").points[0], (1.0, 2.0).into());
+    let vtu = with_data("Int64", "1 2 9007199254740993 4");
+    assert_error(vtu, "array \"a\": row 2: 9007199254740993 cannot be held");
+}
+
+/// Two triangles in VTK's format.
+const VTU: &str = include_str!("data/two-triangles.vtu");
+
+/// Reads two triangles with one array of point data.
+fn with_data(kind: &str, values: &str) -> Result<PointSet, Error> {
+    let data = format!(
+        "</Points><PointData><DataArray type=\"{kind}\" Name=\"a\" format=\"ascii\">{values}</DataArray></PointData>"
+    );
+    points_of("a.vtu", VTU.replace("</Points>", &data).as_bytes())
+}
+
+/// What is changed in two triangles of VTK, into what, and what the error must say.
+const DAMAGED_VTU: &[(&str, &str, &str)] = &[
+    ("ascii", "appended", "format appended: only inline"),
+    (
+        "ascii\">3 6",
+        "appended\"/>",
+        "offsets\" is in format appended",
+    ),
+    (
+        "Points=\"4\"",
+        "Points=\"5\"",
+        "declares 5 points, its arrays hold 4",
+    ),
+    (
+        "Cells=\"2\"",
+        "Cells=\"1\"",
+        "declares 1 cells, its arrays hold 2",
+    ),
+    (
+        "Cells=\"2\"",
+        "Cells=\"two\"",
+        "NumberOfCells is not a number",
+    ),
+    (
+        "</VTKFile>",
+        "",
+        "truncated: the file ends before </VTKFile>",
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2 4",
+        "names vertex 4 of 4 (numbered from 0)",
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1&#32;2 0 2 3",
+        "a reference among numbers",
+    ),
+    ("Float64", "Float16", "type \"Float16\" is not understood"),
+];
+
+#[test]
+fn damaged_vtu_says_what_is_wrong() {
+    for (from, to, expected) in DAMAGED_VTU {
+        assert!(VTU.contains(from), "{from}");
+        let damaged = VTU.replacen(from, to, 1);
+        assert_error(points_of("a.vtu", damaged.as_bytes()), expected);
+    }
+    let end = VTU.find("</VTKFile>").expect("closed") + "</VTKFile>".len();
+    for length in 0..end {
+        let outcome = points_of("a.vtu", &VTU.as_bytes()[..length]);
+        assert!(outcome.is_err(), "{length} bytes are taken for a grid");
+    }
+}
+
+#[test]
+fn noise_is_not_an_empty_table() {
+    let noise: Vec<u8> = (0..200u32).map(|i| (i * i * 37 % 251) as u8).collect();
+    let without_zeros: Vec<u8> = noise.iter().map(|b| b | 128).collect();
+    for noise in [noise, without_zeros] {
+        points_of("noise.csv", &noise).expect_err("noise");
+        points_of("noise.xyz", &noise).expect_err("noise");
+    }
+}
+
 /// A small valid file of each format that is read.
 fn valid_files() -> Vec<Vec<u8>> {
-    let npy = |descr: &str, shape: &str, data: &[u8]| {
-        let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}\n");
-        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-        bytes.extend((text.len() as u16).to_le_bytes());
-        bytes.extend(text.bytes());
-        bytes.extend(data);
-        bytes
-    };
     let floats: Vec<u8> = (0..6).flat_map(|i| f64::from(i).to_le_bytes()).collect();
     vec![
         b"# c\n3 2 1 1\n1 0 0 .5 1\n2 1 0 .5 0\n3 0 1 .5 1\n".to_vec(),

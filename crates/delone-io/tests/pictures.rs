@@ -39,6 +39,12 @@ fn decode(png: &[u8]) -> ([u32; 2], Vec<[u8; 3]>) {
 }
 
 #[test]
+fn the_hull_of_slivers_is_drawn() {
+    let (_, svg) = draw(&[(0.0, 0.0), (1000.0, 0.0), (500.0, 0.5)], 400);
+    assert!(svg.contains("stroke-opacity"), "{svg}");
+}
+
+#[test]
 fn every_point_set_can_be_drawn() {
     let huge = f64::MAX;
     let sets: [&[(f64, f64)]; 9] = [

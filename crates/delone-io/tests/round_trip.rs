@@ -69,10 +69,24 @@ proptest! {
         let npy = read_back(&paths[1]);
         prop_assert_eq!(&npy.points, &set.points);
         prop_assert_eq!(&npy.attributes[0].values, &set.attributes[0].values);
+        prop_assert_eq!(&npy.attributes[1].values, &markers_of(&set));
         let csv = read_back(&paths[2]);
         prop_assert_eq!(&csv.points, &set.points);
         prop_assert_eq!(&csv.attributes[0], &set.attributes[0]);
         prop_assert_eq!(&csv.attributes[1].name, "marker");
+    }
+
+    #[test]
+    fn tables_survive_with_every_separator(set in point_set()) {
+        let folder = tempfile::tempdir().expect("folder");
+        for extension in ["csv", "tsv", "tab", "xyz", "xy", "pts", "txt", "dat", "asc"] {
+            let path = folder.path().join("a").with_extension(extension);
+            write_points(&[target(&path)], &set, &WriteOptions::default(), &()).expect("written");
+            let copy = read_back(&path);
+            prop_assert_eq!(&copy.points, &set.points);
+            prop_assert_eq!(&copy.attributes[0].values, &set.attributes[0].values);
+            prop_assert_eq!(&copy.attributes[1].values, &markers_of(&set));
+        }
     }
 
     #[test]
@@ -95,6 +109,64 @@ proptest! {
         prop_assert_eq!(&npy.vertices.points, &mesh.vertices.points);
         prop_assert_eq!(&npy.triangles, &mesh.triangles);
     }
+}
+
+fn markers_of(set: &PointSet) -> Vec<f64> {
+    let markers = set.markers.as_deref().unwrap_or_default();
+    markers.iter().copied().map(f64::from).collect()
+}
+
+#[test]
+fn the_extension_of_a_table_tells_its_separator() {
+    let folder = tempfile::tempdir().expect("folder");
+    let set = PointSet {
+        points: vec![Point::new(1.0, 2.5)],
+        attributes: vec![Attribute {
+            name: "height, m".to_owned(),
+            values: vec![3.0],
+        }],
+        ..PointSet::default()
+    };
+    for (name, expected) in [
+        ("a.csv", "x,y,\"height, m\"\n1,2.5,3\n"),
+        ("a.tsv", "x\ty\t\"height, m\"\n1\t2.5\t3\n"),
+        ("a.xyz", "# x y \"height, m\"\n1 2.5 3\n"),
+    ] {
+        let path = folder.path().join(name);
+        write_points(&[target(&path)], &set, &WriteOptions::default(), &()).expect("written");
+        let text = std::fs::read_to_string(&path).expect("written");
+        assert_eq!(text, expected);
+        assert_eq!(read_back(&path).points, set.points);
+    }
+}
+
+#[test]
+fn no_points_keep_their_columns() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("a.node");
+    std::fs::write(&path, "0 2 2 1\n").expect("written");
+    let set = read_back(&path);
+    assert_eq!(set.attributes.len(), 2);
+    assert_eq!(set.markers, Some(vec![]));
+    write_points(&[target(&path)], &set, &WriteOptions::default(), &()).expect("written");
+    assert_eq!(std::fs::read_to_string(&path).expect("file"), "0 2 2 1\n");
+}
+
+#[test]
+fn duplicates_are_marked_as_the_vertex_that_stands_for_them() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("a.node");
+    let points = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (1.0, 1.0)];
+    let twice = points.iter().chain(&points).copied();
+    let t = delone::triangulate(twice.map(Point::from)).expect("finite");
+    write_mesh(
+        &[target(&path)],
+        &MeshView::from(&t),
+        &WriteOptions::default(),
+        &(),
+    )
+    .expect("written");
+    assert_eq!(read_back(&path).markers, Some(vec![1, 1, 1, 0, 1, 1, 1, 0]));
 }
 
 /// Two triangles over a square, and a vertex that belongs to none.
@@ -158,6 +230,10 @@ fn columns_are_chosen_by_name_place_or_number() {
     assert_eq!(point("name,a,b\nBonn,1,2\n", None), Point::new(1.0, 2.0));
     assert_eq!(point("1 2 3\n", Some(["3", "1"])), Point::new(3.0, 1.0));
     assert_eq!(
+        point("a,b,2020\n1,2,3\n", Some(["b", "a"])),
+        Point::new(2.0, 1.0)
+    );
+    assert_eq!(
         point("a\tB\tc\n1\t2\t3\n", Some(["b", "C"])),
         Point::new(2.0, 3.0)
     );
@@ -165,11 +241,85 @@ fn columns_are_chosen_by_name_place_or_number() {
     let error = read("1 2\n", Some(["3", "1"])).expect_err("no such column");
     assert!(matches!(error, Error::NoSuchColumn { .. }), "{error}");
 
+    let error = read("1 2\n", Some(["2", "2"])).expect_err("one column");
+    assert!(matches!(error, Error::SameColumn { .. }), "{error}");
+
     let set = read("x,y,city,height\n1,2,Bonn,\n3,4,5,6\n", None).expect("points");
     assert_eq!(set.left_out, ["city"]);
     assert_eq!(set.attributes[0].name, "height");
     assert!(set.attributes[0].values[0].is_nan());
     assert_eq!(set.attributes[0].values[1], 6.0);
+}
+
+#[test]
+fn tables_are_taken_as_they_come() {
+    let read = |text: &str| {
+        let source = Source::Memory {
+            name: "a.txt".to_owned(),
+            bytes: text.into(),
+        };
+        read_points(&source, &ReadOptions::default(), &()).expect(text)
+    };
+    let expected = [Point::new(1.0, 2.0), Point::new(3.0, 4.0)];
+    for text in [
+        "1 2\n3 4\n",
+        "1,2\r3,4\r",
+        "# x, y, and more\n1 2\n3 4\n",
+        "1 2 # a, b\n3 4 # c, d\n",
+        "1 2\t\n3 4\t\n",
+        "\u{feff}x\ty\tz\r\n1\t2\t\r\n3\t4\t5\r\n",
+        "\tx\ty\n\t1\t2\nb\t3\t4\n",
+        "street,x,y\nAve #1,1,2\nAve #2,3,4\n",
+    ] {
+        assert_eq!(read(text).points, expected, "{text:?}");
+    }
+    let z = &read("x\ty\tz\n1\t2\t\n3\t4\t5\n").attributes[0].values;
+    assert!(z[0].is_nan() && z[1] == 5.0, "{z:?}");
+    assert_eq!(read("x,y\n").points, []);
+}
+
+#[test]
+fn everything_in_a_grid_is_kept() {
+    let vtu = include_str!("data/two-triangles.vtu")
+        .replace("0 0 0  1 0 0", "0 0 7 <!-- corner --> 1 0 0")
+        .replace(
+            "</Points>",
+            "</Points>
+            <PointData>
+            <DataArray type=\"Int32\" Name=\"marker\">
+              <InformationKey name=\"L2\"><Value index=\"0\">9</Value></InformationKey>
+              1 -2 3 4
+            </DataArray>
+            <DataArray type=\"Float32\" Name=\"wind\" NumberOfComponents=\"2\">1 2 3 4 5 6 7 8</DataArray>
+            </PointData>
+            <FieldData><DataArray type=\"Float64\" Name=\"time\">1</DataArray></FieldData>",
+        );
+    let read = |text: String| {
+        let bytes = text.into_bytes();
+        let name = "a.vtu".to_owned();
+        let source = Source::Memory { name, bytes };
+        read_mesh(&source, &ReadOptions::default(), &()).expect("a grid")
+    };
+    let mesh = read(vtu.clone());
+    assert_eq!(mesh.triangles.len(), 2);
+    assert_eq!(mesh.vertices.markers, Some(vec![1, -2, 3, 4]));
+    let column = |name: &str, values: [f64; 4]| Attribute {
+        name: name.to_owned(),
+        values: values.to_vec(),
+    };
+    assert_eq!(
+        mesh.vertices.attributes,
+        [
+            column("z", [7.0, 0.0, 0.0, 0.0]),
+            column("wind_0", [1.0, 3.0, 5.0, 7.0]),
+            column("wind_1", [2.0, 4.0, 6.0, 8.0]),
+        ]
+    );
+    for (from, to, value) in [("Int32", "Float64", -2.0), ("-2", "3000000000", 3e9)] {
+        let set = read(vtu.replace(from, to)).vertices;
+        assert_eq!(set.markers, None);
+        assert_eq!(set.attributes[1], column("marker", [1.0, value, 3.0, 4.0]));
+    }
 }
 
 #[test]
@@ -182,6 +332,7 @@ fn content_tells_the_format() {
         Format::sniff(b"2 2 0 0\n1 0 0 0\n2 1 1 0\n"),
         Some(Format::Table)
     );
+    assert_eq!(Format::sniff(b"\xef\xbb\xbf1,2\n"), Some(Format::Table));
     assert_eq!(Format::sniff(b"x,y\n1,2\n"), Some(Format::Table));
     assert_eq!(Format::sniff(b"\x93NUMPY\x01"), Some(Format::Npy));
     assert_eq!(Format::sniff(b"<?xml?><VTKFile>"), Some(Format::Vtu));

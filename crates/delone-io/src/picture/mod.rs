@@ -162,21 +162,29 @@ impl<'a> Scene<'a> {
             self.poll(Pass::Edges, t)?;
             for k in 0..3 {
                 let [apex, a, b] = [0, 1, 2].map(|i| triangle[(k + i) % 3]);
-                let class = self.width_class(a, b, Some(apex));
-                visible.extend(class.map(|class| ([a.min(b), a.max(b)], class)));
+                // The shortest are the most: they need no room in the list.
+                if self.width_class(a, b, None).is_some() {
+                    let class = self.width_class(a, b, Some(apex));
+                    visible.push(([a.min(b), a.max(b)], class));
+                }
             }
         }
         if self.mesh.triangles.is_empty() {
             let edges = self.mesh.collinear_edges();
-            visible
-                .extend(edges.filter_map(|[a, b]| Some(([a, b], self.width_class(a, b, None)?))));
+            visible.extend(edges.map(|edge| (edge, None)));
         }
         visible.sort_unstable();
         let mut classes: Vec<_> = (0..WIDTHS).map(|i| self.edge_class(i)).collect();
         for same in visible.chunk_by(|a, b| a.0 == b.0) {
-            // Of the two sides, the one with more room decides; it sorts last.
-            let (ends, class) = same[same.len() - 1];
-            classes[class].edges.push(ends.map(|v| self.place(v)));
+            // Of the two sides, the one with more room decides; it sorts last. Beyond the hull there
+            // is room for any edge.
+            let (ends, class) = match *same {
+                [([a, b], _)] => ([a, b], self.width_class(a, b, None)),
+                _ => same[same.len() - 1],
+            };
+            if let Some(class) = class {
+                classes[class].edges.push(ends.map(|v| self.place(v)));
+            }
         }
         Ok(classes)
     }
