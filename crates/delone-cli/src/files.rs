@@ -258,7 +258,7 @@ fn write(
 fn unreadable(error: Error) -> Failure {
     match error {
         Error::Cancelled => Failure::Cancelled,
-        Error::NoSuchColumn { .. } => Failure::Usage(error.to_string()),
+        Error::NoSuchColumn { .. } | Error::SameColumn { .. } => Failure::Usage(error.to_string()),
         _ => Failure::BadInput(error.to_string()),
     }
 }
