@@ -300,12 +300,12 @@ fn subnormal_steps_beside_huge_coordinates() {
 /// the largest coordinate to need no scaling.
 #[test]
 fn tiny_circles_beside_a_coordinate_at_the_border_of_the_class() {
-    for seed in 0..200 {
-        let exponent = -250 - (seed % 20) as i32;
-        let lattice = Kind::UlpLattice.points(10, seed);
+    for seed in 0..300 {
+        // At this size the underflow of an unguarded filter is wrong in one set of five.
+        let lattice = Kind::UlpLattice.points(6 + seed as usize % 7, seed);
         let mut points: Vec<_> = lattice
             .iter()
-            .map(|p| Point::new(scaled(p.x, exponent), scaled(p.y, exponent)))
+            .map(|p| Point::new(scaled(p.x, -269), scaled(p.y, -269)))
             .collect();
         points.push(Point::new(2f64.powi(249), 0.0));
         assert_agree(&points);
