@@ -1,5 +1,9 @@
 //! What can go wrong in the library.
 
+use crate::{Point, VertexId};
+use std::fmt;
+use std::ops::Range;
+
 /// Why the library could not do what it was asked.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -24,6 +28,81 @@ pub enum Error {
         /// Largest number of points in one triangulation.
         limit: usize,
     },
+    /// A segment names a point that does not exist.
+    #[error("segment {segment} names point {vertex}, but there are {points} points")]
+    BadSegment {
+        /// Index of the segment.
+        segment: usize,
+        /// The point it names.
+        vertex: VertexId,
+        /// Number of points.
+        points: usize,
+    },
+    /// More segments than 32 bits can number.
+    #[error("{given} segments given, but at most {limit} are possible; split the data into tiles")]
+    TooManySegments {
+        /// Number of segments given.
+        given: usize,
+        /// Largest number of segments.
+        limit: usize,
+    },
+    /// Two segments cross in a point that is no vertex, and crossings are to be refused.
+    #[error(
+        "segments {} and {} cross at ({}, {}); repair them, or have crossings split",
+        segments[0], segments[1], at.x, at.y
+    )]
+    Crossing {
+        /// Indices of the segments: the lexicographically first pair that cross.
+        segments: [usize; 2],
+        /// Where they cross, rounded.
+        at: Point,
+    },
+    /// The range of a polygon is not one of segments.
+    #[error(
+        "polygon {polygon} has segments {} to {}, but there are {segments}", range.start, range.end
+    )]
+    BadPolygon {
+        /// Index of the polygon.
+        polygon: usize,
+        /// Its segments.
+        range: Range<usize>,
+        /// Number of segments.
+        segments: usize,
+    },
+    /// A polygon is not closed.
+    #[error(
+        "polygon {polygon} is not closed: an odd number of its segments end in point {vertex} at ({}, {})",
+        at.x, at.y
+    )]
+    OpenPolygon {
+        /// Index of the polygon.
+        polygon: usize,
+        /// Where it is open.
+        vertex: VertexId,
+        /// The position of that point.
+        at: Point,
+    },
+    /// The seed of a hole or region has a coordinate that is NaN or infinite.
+    #[error("{seed} lies at ({}, {}): coordinates must be finite", at.x, at.y)]
+    SeedNotFinite {
+        /// Which seed.
+        seed: Seed,
+        /// Its position.
+        at: Point,
+    },
+    /// The seed of a hole or region lies on a segment, so what it means is undecided.
+    #[error(
+        "{seed} at ({}, {}) lies on segment {segment}; move it into the hole or region it stands for",
+        at.x, at.y
+    )]
+    SeedOnSegment {
+        /// Which seed.
+        seed: Seed,
+        /// Its position.
+        at: Point,
+        /// Index of the segment.
+        segment: usize,
+    },
     /// The caller's [`Watch`](crate::Watch) asked to stop.
     #[error("cancelled")]
     Cancelled,
@@ -35,4 +114,22 @@ pub enum Error {
         /// What the thread pool said.
         reason: String,
     },
+}
+
+/// A point that stands for the hole or region around it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Seed {
+    /// The hole of this index.
+    Hole(usize),
+    /// The region of this index.
+    Region(usize),
+}
+
+impl fmt::Display for Seed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Hole(i) => write!(f, "the point of hole {i}"),
+            Self::Region(i) => write!(f, "the point of region {i}"),
+        }
+    }
 }

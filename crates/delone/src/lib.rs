@@ -44,20 +44,26 @@
 //!   the identical result.
 
 pub mod check;
+mod constrained;
 pub mod delaunay;
 mod error;
 mod hash;
 pub mod locate;
+mod memory;
 pub mod mesh;
+mod parallel;
 mod point;
 pub mod predicates;
+mod pslg;
 mod triangulation;
 mod watch;
 
+pub use constrained::{ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Origin, Warning};
 pub use delaunay::{Delaunay, triangulate};
-pub use error::Error;
+pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use point::Point;
+pub use pslg::{Pslg, Region, SegmentPolicy};
 pub use triangulation::{Duplicate, Triangulation};
 pub use watch::{Phase, Watch};

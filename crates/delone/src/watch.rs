@@ -10,6 +10,12 @@ pub enum Phase {
     Sort,
     /// Dividing and conquering.
     Triangulate,
+    /// Cutting segments where they cross.
+    Node,
+    /// Inserting segments.
+    Constrain,
+    /// Finding the domain, its holes and regions.
+    Carve,
     /// Renumbering into the caller's order.
     Export,
     /// Verifying a triangulation.

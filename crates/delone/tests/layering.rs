@@ -12,8 +12,10 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[(&str, &[&str])] = &[
     ("lib", &["*"]),
     ("point", &[]),
-    ("error", &[]),
+    ("error", &["point", "mesh::VertexId"]),
     ("watch", &["error"]),
+    ("memory", &[]),
+    ("parallel", &["error"]),
     ("hash", &["point"]),
     // Geometry knows no topology: no ids here.
     ("predicates", &["point"]),
@@ -31,6 +33,35 @@ const ROOMS: &[(&str, &[&str])] = &[
             "locate",
             "error",
             "watch",
+            "memory",
+            "parallel",
+        ],
+    ),
+    (
+        "pslg",
+        &[
+            "point",
+            "mesh::VertexId",
+            "predicates",
+            "constrained::DomainRule",
+            "watch",
+            "memory",
+            "parallel",
+        ],
+    ),
+    (
+        "constrained",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "triangulation",
+            "pslg",
+            "delaunay",
+            "error",
+            "watch",
+            "memory",
+            "parallel",
         ],
     ),
     // The verifier trusts no builder: of the mesh it has the ids, and nothing that holds twins.
@@ -42,6 +73,9 @@ const ROOMS: &[(&str, &[&str])] = &[
             "hash",
             "error",
             "watch",
+            "pslg::Pslg",
+            "pslg::Region",
+            "constrained::DomainRule",
             "mesh::VertexId",
             "mesh::HalfEdgeId",
             "mesh::TriangleId",
@@ -53,9 +87,9 @@ const ROOMS: &[(&str, &[&str])] = &[
 const FOREIGN: &[(&str, &[&str])] = &[
     ("num_bigint", &["predicates"]),
     ("xxhash_rust", &["hash"]),
-    ("rayon", &["delaunay"]),
-    ("libc", &["delaunay"]),
-    ("thiserror", &["error", "check", "mesh"]),
+    ("rayon", &["parallel"]),
+    ("libc", &["memory"]),
+    ("thiserror", &["error", "check", "mesh", "constrained"]),
 ];
 
 /// What no room may do: the library neither prints nor exits nor touches files.

@@ -4,10 +4,10 @@ use super::divide::Divide;
 use super::export;
 use super::frame::Frame;
 use super::input::{self, Class, Extent};
-use super::memory::reserve;
 use super::order::{Ordered, Radix, order};
-use super::parallel::Workers;
 use super::sheet::Sheet;
+use crate::memory::reserve;
+use crate::parallel::Workers;
 use crate::{Error, HalfEdgeId, Mesh, Phase, Point, Triangulation, VertexId, Watch};
 
 /// The largest number of points whose half-edges 32 bits can number, one of them reserved.

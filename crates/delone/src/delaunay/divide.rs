@@ -10,8 +10,8 @@ use super::frame::{Axis, Frame};
 use super::group::{Regrouped, merge_equal, sort_in_own_box, sort_lexicographically};
 use super::knit::{HullVertex, merge};
 use super::leaf::{self, Hull, is_below, is_left_of};
-use super::parallel::Workers;
 use super::sheet::Sheet;
+use crate::parallel::Workers;
 use crate::{Phase, Watch};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 

@@ -1,8 +1,8 @@
 //! From slots to the result, in place: triangles to the front, ghosts behind them, empty slots cut
 //! off, corners renumbered to the caller's indices.
 
-use super::parallel::Workers;
 use super::sheet::{DEAD, Sheet};
+use crate::parallel::Workers;
 use crate::{Duplicate, VertexId, Watch};
 
 /// Moves the triangles to the front and the ghosts behind them; returns the number of each.

@@ -6,7 +6,7 @@
 use super::frame::Frame;
 use super::input::Extent;
 use super::order::{Radix, sorted_keys};
-use super::parallel::Workers;
+use crate::parallel::Workers;
 use crate::{Point, Watch};
 
 const INDEX: u64 = 0xffff_ffff;

@@ -20,16 +20,14 @@ mod incremental;
 mod input;
 mod knit;
 mod leaf;
-mod memory;
 mod order;
 mod pair;
-mod parallel;
 mod sheet;
 mod signs;
 
 pub use incremental::{Incremental, Inserted};
 
-use crate::{Error, Point, Triangulation, Watch};
+use crate::{Error, Point, Triangulation, Watch, parallel};
 
 /// Triangulates points with all defaults: every thread of the machine, unwatched.
 ///

@@ -2,8 +2,8 @@
 //! neighbours in the plane become neighbours in memory.
 
 use super::frame::{Frame, split_power};
-use super::memory::reserve;
-use super::parallel::Workers;
+use crate::memory::reserve;
+use crate::parallel::Workers;
 use crate::{Phase, Point, Watch};
 use std::mem::MaybeUninit;
 
@@ -293,7 +293,7 @@ impl Radix {
 mod tests {
     use super::*;
     use crate::delaunay::input::Extent;
-    use crate::delaunay::parallel::with_workers;
+    use crate::parallel::with_workers;
 
     fn scattered(n: u32) -> Vec<Point> {
         let mix = |i: u32| f64::from(i.wrapping_mul(2_654_435_761) % 1009);

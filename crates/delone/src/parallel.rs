@@ -4,7 +4,7 @@
 ///
 /// Results never depend on the number of threads.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Workers {
+pub(crate) struct Workers {
     threads: usize,
 }
 
@@ -54,7 +54,7 @@ impl Workers {
 /// Runs `work` with the workers that `threads` asks for: `None` stands for all of the surrounding
 /// pool, a number for a pool of that size, made for this call.
 #[cfg(feature = "rayon")]
-pub(super) fn with_workers<R: Send>(
+pub(crate) fn with_workers<R: Send>(
     threads: Option<usize>,
     work: impl FnOnce(Workers) -> R + Send,
 ) -> Result<R, crate::Error> {
@@ -82,7 +82,7 @@ pub(super) fn with_workers<R: Send>(
 
 /// Runs `work` on the current thread: without the feature `rayon` there are no others.
 #[cfg(not(feature = "rayon"))]
-pub(super) fn with_workers<R: Send>(
+pub(crate) fn with_workers<R: Send>(
     _threads: Option<usize>,
     work: impl FnOnce(Workers) -> R + Send,
 ) -> Result<R, crate::Error> {

@@ -4,7 +4,7 @@
 //! 2 MiB; at 90 bytes a point that is a good part of the whole triangulation.
 
 /// Makes an empty vector with room for `len` elements.
-pub(super) fn reserve<T>(len: usize) -> Vec<T> {
+pub(crate) fn reserve<T>(len: usize) -> Vec<T> {
     let vec = Vec::<T>::with_capacity(len);
     advise_huge_pages(vec.as_ptr().cast(), len * size_of::<T>());
     vec
