@@ -58,12 +58,12 @@ mod pslg;
 mod triangulation;
 mod watch;
 
-pub use constrained::{ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Origin, Warning};
+pub use constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Origin, Warning};
 pub use delaunay::{Delaunay, triangulate};
 pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use point::Point;
-pub use pslg::{Pslg, Region, SegmentPolicy};
+pub use pslg::{DomainRule, Pslg, Region, SegmentPolicy};
 pub use triangulation::{Duplicate, Triangulation};
 pub use watch::{Phase, Watch};

@@ -4,22 +4,7 @@ mod result;
 
 pub use result::{ConstrainedTriangulation, Origin, Warning};
 
-use crate::{Error, Pslg, SegmentPolicy, Watch};
-
-/// Which triangles belong to the domain. Holes named by a point are carved away under every rule.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum DomainRule {
-    /// All of the convex hull.
-    #[default]
-    Hull,
-    /// What the outside cannot reach without crossing a segment (the rule of Triangle's `-p`). Open
-    /// polylines alone enclose nothing.
-    Carve,
-    /// What lies behind an odd number of segments: rings in rings are holes, islands in holes belong
-    /// again. A border that is used twice counts twice. With [`Pslg::polygons`], the union of the
-    /// polygons, each by its own segments; segments outside of polygons do not count.
-    EvenOdd,
-}
+use crate::{DomainRule, Error, Pslg, SegmentPolicy, Watch};
 
 /// How to triangulate a domain.
 #[derive(Clone, Copy)]

@@ -31,7 +31,7 @@ pub struct Pslg {
     pub segments: Vec<[VertexId; 2]>,
     /// For each polygon the segments that bound it, outline and holes alike, as a range of indices;
     /// each must be closed. Segments in no range bound nothing and are only kept as edges. If there
-    /// are none, [`DomainRule::EvenOdd`](crate::DomainRule::EvenOdd) takes all segments together.
+    /// are none, [`DomainRule::EvenOdd`] takes all segments together.
     pub polygons: Vec<Range<usize>>,
     /// A point in each hole: everything around it, up to the segments, is carved away.
     pub holes: Vec<Point>,
@@ -59,6 +59,21 @@ pub enum SegmentPolicy {
     /// Cuts both and adds a vertex there, rounded to the nearest `f64`: the canonical noding, which
     /// does not depend on the order of anything.
     Split,
+}
+
+/// Which triangles belong to the domain. Holes named by a point are carved away under every rule.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DomainRule {
+    /// All of the convex hull.
+    #[default]
+    Hull,
+    /// What the outside cannot reach without crossing a segment (the rule of Triangle's `-p`). Open
+    /// polylines alone enclose nothing.
+    Carve,
+    /// What lies behind an odd number of segments: rings in rings are holes, islands in holes belong
+    /// again. A border that is used twice counts twice. With [`Pslg::polygons`], the union of the
+    /// polygons, each by its own segments; segments outside of polygons do not count.
+    EvenOdd,
 }
 
 impl Pslg {
