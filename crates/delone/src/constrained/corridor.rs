@@ -112,7 +112,8 @@ impl Inserter {
         let left = self.left.fill(end, draft, &mut faces, &mut self.suspects);
         draft.mesh.bond(left, right);
         draft.constrain(left);
-        draft.legalise(&mut self.suspects, self.budget())
+        let budget = self.budget();
+        draft.legalise(&mut self.suspects, budget)
     }
 
     /// Returns how many flips are allowed.
