@@ -197,6 +197,9 @@ fn parse(rule: Rule, bytes: &[u8]) -> Pslg {
 mod tests {
     use super::*;
 
+    /// A ring of three points, the last one equal to the first.
+    const RING: &[[u32; 2]] = &[[0, 1], [1, 2]];
+
     /// A sample of each format, and the segments expected of it.
     const SAMPLES: &[(Rule, &str, &[[u32; 2]])] = &[
         (
@@ -211,7 +214,7 @@ mod tests {
         ),
         (Cdt, "2 1\n1.5  2\n3 -4e2\n0 1\n", &[[0, 1]]),
         (Json, "[[1.5, 2], [3, -4e2]]", &[]),
-        (Json, "[[[1.5, 2], [3, -4e2]]]", &[[0, 1], [1, 0]]),
+        (Json, "[[[1.5, 2], [3, -4e2], [1.5, 2]]]", RING),
         (
             Json,
             r#"{"bbox": [1, 2, 3, 4], "features": [{"geometry": {"type": "MultiLineString",
@@ -220,12 +223,12 @@ mod tests {
         ),
         (Wkt, "LINESTRING Z (1.5 2 0,\n  3 -4e2 0)", &[[0, 1]]),
         (Table, "x,y,z\n1.5,2,0\nHOLE\n3 -4e2\n", &[]),
-        (Outline, "1.5,2\n3 -4e2\n", &[[0, 1], [1, 0]]),
+        (Outline, "1.5,2\n3 -4e2\n1.5 2\n", RING),
         (Outline, "STEINER\n1.5,2\n3 -4e2\n", &[]),
         (
             Airfoil,
-            "NAME 12\n-2.0 3.0 -2.5 3.5\n 1.5 2\n 3 -4e2\n\nremark: 8 %",
-            &[[0, 1], [1, 0]],
+            "NAME 12\n-2.0 3.0 -2.5 3.5\n 1.5 2\n 3 -4e2\n 1.5 2\n\nremark: 8 %",
+            RING,
         ),
         (Cases, "1 1.5 2 3 -4e2 -1\n", &[]),
     ];
@@ -235,7 +238,7 @@ mod tests {
         for &(rule, text, segments) in SAMPLES {
             let pslg = parse(rule, text.as_bytes());
             let points: Vec<(f64, f64)> = pslg.points.iter().map(|&p| p.into()).collect();
-            assert_eq!(points, [(1.5, 2.0), (3.0, -4e2)], "{rule:?}");
+            assert_eq!(points[..2], [(1.5, 2.0), (3.0, -4e2)], "{rule:?}");
             let ends = pslg.segments.iter().map(|s| s.map(|v| v.raw()));
             assert_eq!(ends.collect::<Vec<_>>(), segments, "{rule:?}");
         }

@@ -117,10 +117,14 @@ pub(super) fn cases(text: &str) -> Pslg {
 }
 
 /// Adds new points and the closed ring that they form; a last point equal to the first is kept.
+/// Fewer than three points bound nothing, and stay loose.
 pub(super) fn add_ring(pslg: &mut Pslg, ring: &[Point]) {
     let first = pslg.points.len();
     pslg.points.extend(ring);
     let indices = first as u32..pslg.points.len() as u32;
+    if ring.len() < 3 {
+        return;
+    }
     if ring.first() == ring.last() {
         pslg.add_polyline(indices);
     } else {
