@@ -169,13 +169,22 @@ pub fn domain_from_bytes(bytes: &[u8]) -> Domain {
     }
     let vertex = |&end: &u8| VertexId::new(usize::from(end) % points.len());
     let pslg = &mut domain.pslg;
-    pslg.segments = ends.as_chunks().0.iter().map(|[a, b]| [vertex(a), vertex(b)]).collect();
+    pslg.segments = ends
+        .as_chunks()
+        .0
+        .iter()
+        .map(|[a, b]| [vertex(a), vertex(b)])
+        .collect();
     if mode & 0x40 != 0 {
         pslg.polygons.push(0..pslg.segments.len());
     }
     if mode & 0x80 != 0 {
         pslg.holes = points[..1].to_vec();
-        pslg.regions = points[1..].first().map(|&at| region(at)).into_iter().collect();
+        pslg.regions = points[1..]
+            .first()
+            .map(|&at| region(at))
+            .into_iter()
+            .collect();
     }
     pslg.points = points;
     domain
@@ -185,18 +194,44 @@ impl Case for Domain {
     fn smaller(&self) -> Vec<Self> {
         let pslg = &self.pslg;
         let parts = [
-            without_one(&pslg.polygons).map(|polygons| Pslg { polygons, ..pslg.clone() }).collect(),
-            without_one(&pslg.holes).map(|holes| Pslg { holes, ..pslg.clone() }).collect(),
-            without_one(&pslg.regions).map(|regions| Pslg { regions, ..pslg.clone() }).collect(),
-            (0..pslg.segments.len()).map(|s| without_segment(pslg, s)).collect(),
-            (0..pslg.points.len()).filter_map(|v| without_point(pslg, v)).collect::<Vec<_>>(),
+            without_one(&pslg.polygons)
+                .map(|polygons| Pslg {
+                    polygons,
+                    ..pslg.clone()
+                })
+                .collect(),
+            without_one(&pslg.holes)
+                .map(|holes| Pslg {
+                    holes,
+                    ..pslg.clone()
+                })
+                .collect(),
+            without_one(&pslg.regions)
+                .map(|regions| Pslg {
+                    regions,
+                    ..pslg.clone()
+                })
+                .collect(),
+            (0..pslg.segments.len())
+                .map(|s| without_segment(pslg, s))
+                .collect(),
+            (0..pslg.points.len())
+                .filter_map(|v| without_point(pslg, v))
+                .collect::<Vec<_>>(),
         ];
-        let with = |pslg| Self { pslg, ..self.clone() };
+        let with = |pslg| Self {
+            pslg,
+            ..self.clone()
+        };
         parts.into_iter().flatten().map(with).collect()
     }
 
     fn as_source(&self) -> String {
-        let Self { pslg, crossings, rule } = self;
+        let Self {
+            pslg,
+            crossings,
+            rule,
+        } = self;
         let segments: Vec<_> = pslg.segments.iter().map(|s| s.map(|v| v.raw())).collect();
         format!(
             "let pslg = Pslg {{\n\
