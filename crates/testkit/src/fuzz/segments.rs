@@ -57,7 +57,7 @@ fn draw(pslg: &mut Pslg, segments: usize, r: &mut Random) {
     let is_polygon = r.below(2) == 0;
     while pslg.segments.len() < segments {
         let first = pslg.segments.len();
-        let mut some = |least: usize, r: &mut Random| {
+        let some = |least: usize, r: &mut Random| {
             let count = least + r.below(5);
             let line: Vec<_> = (0..count).map(|_| any_vertex(pslg, r)).collect();
             line
@@ -109,7 +109,7 @@ fn repeat(pslg: &mut Pslg, r: &mut Random) {
 
 /// Plants the seeds of holes and regions, more often between points than upon them.
 fn plant(pslg: &mut Pslg, r: &mut Random) {
-    let mut seed = |r: &mut Random| {
+    let seed = |r: &mut Random| {
         let [a, b, c] = [0; 3].map(|_| pslg.points[r.below(pslg.points.len())]);
         let middle = |a: f64, b: f64| a / 2.0 + b / 2.0;
         let ab = Point::new(middle(a.x, b.x), middle(a.y, b.y));
@@ -120,7 +120,7 @@ fn plant(pslg: &mut Pslg, r: &mut Random) {
             _ => Point::new(middle(ab.x, c.x), middle(ab.y, c.y)),
         }
     };
-    let mut some = |r: &mut Random| {
+    let some = |r: &mut Random| {
         let count = r.below(6).saturating_sub(3);
         let seeds: Vec<_> = (0..count).map(|_| seed(r)).collect();
         seeds
