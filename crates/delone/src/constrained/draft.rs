@@ -103,28 +103,40 @@ impl Draft {
         for (v, h) in [(a, ab), (b, bc), (c, ca)] {
             self.outgoing[v.index()] = h;
         }
-        self.marks.clear(t);
+        self.marks.clear_edges(t);
     }
 
-    /// Flips edges until all that `suspects` lead to are locally Delaunay or constrained.
-    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>) {
+    /// Flips edges between faces of the corridor until all that `suspects` lead to are locally Delaunay
+    /// or constrained; false if that takes more than `budget` flips.
+    #[must_use]
+    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
         while let Some(h) = suspects.pop() {
-            if self.must_flip(h) {
-                self.flip(h);
-                let g = self.mesh.twin(h.next()).prev();
-                suspects.extend([h, h.prev(), g, g.prev()]);
+            if !self.must_flip(h) {
+                continue;
             }
+            if budget == 0 {
+                return false;
+            }
+            budget -= 1;
+            self.flip(h);
+            let g = self.mesh.twin(h.next()).prev();
+            suspects.extend([h, h.prev(), g, g.prev()]);
         }
+        true
     }
 
     fn must_flip(&self, h: HalfEdgeId) -> bool {
         let g = self.mesh.twin(h);
-        let [c, d] = [self.mesh.apex(h), self.mesh.apex(g)];
-        if self.marks.is_constrained(h) || c.is_infinite() || d.is_infinite() {
+        if self.marks.is_constrained(h) || !self.marks.is_in_corridor(g.triangle()) {
             return false;
         }
-        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
-        let [a, b, c, d] = [a, b, c, d].map(|v| self.point(v));
+        let corners = [
+            self.mesh.origin(h),
+            self.mesh.dest(h),
+            self.mesh.apex(h),
+            self.mesh.apex(g),
+        ];
+        let [a, b, c, d] = corners.map(|v| self.point(v));
         in_circle_perturbed(a, b, c, d)
     }
 
@@ -165,9 +177,12 @@ impl Mark {
 }
 
 /// The marks of all half-edges, a byte a face: bit k says that half-edge k is constrained, bit 3 + k
-/// that an odd number of segments runs along it.
+/// that an odd number of segments runs along it. Bit 6 is set while the face is in a corridor.
 #[derive(Clone, Debug)]
 pub(super) struct Marks(Vec<u8>);
+
+/// The bit of faces in the corridor.
+const CORRIDOR: u8 = 1 << 6;
 
 impl Marks {
     fn new(faces: usize) -> Self {
@@ -202,9 +217,26 @@ impl Marks {
         *byte = (*byte | 1 << h.slot()) ^ 8 << h.slot();
     }
 
+    /// Forgets what is known of the edges of a face.
     #[inline]
-    fn clear(&mut self, t: TriangleId) {
-        self.0[t.index()] = 0;
+    fn clear_edges(&mut self, t: TriangleId) {
+        self.0[t.index()] &= CORRIDOR;
+    }
+
+    /// Tells whether a face belongs to the corridor that is being rebuilt.
+    #[inline]
+    pub fn is_in_corridor(&self, t: TriangleId) -> bool {
+        self.0[t.index()] & CORRIDOR != 0
+    }
+
+    #[inline]
+    pub fn enter_corridor(&mut self, t: TriangleId) {
+        self.0[t.index()] |= CORRIDOR;
+    }
+
+    #[inline]
+    pub fn leave_corridor(&mut self, t: TriangleId) {
+        self.0[t.index()] &= !CORRIDOR;
     }
 
     /// Hands out the bytes of all faces, of which the lower three bits say what is constrained.
