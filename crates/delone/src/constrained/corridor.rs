@@ -197,3 +197,132 @@ impl Inserter {
         self.faces.push(face);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::draft::tests::draft;
+    use super::*;
+    use crate::predicates::in_circle_perturbed;
+
+    /// Requires a sphere of counter-clockwise triangles, locally Delaunay but for what is constrained.
+    fn require_constrained_delaunay(draft: &Draft) {
+        draft.mesh.validate().expect("a sphere");
+        for t in draft.mesh.triangles() {
+            let [a, b, c] = draft.mesh.corners(t).map(|v| draft.point(v));
+            assert_eq!(orient2d(a, b, c), Orientation::Left);
+            assert!(!draft.marks.is_in_corridor(t));
+        }
+        for h in draft.mesh.half_edges() {
+            let g = draft.mesh.twin(h);
+            assert_eq!(draft.marks.get(h), draft.marks.get(g));
+            let corners = [
+                draft.mesh.origin(h),
+                draft.mesh.dest(h),
+                draft.mesh.apex(h),
+                draft.mesh.apex(g),
+            ];
+            if !draft.marks.is_constrained(h) && !corners.iter().any(|v| v.is_infinite()) {
+                let [a, b, c, d] = corners.map(|v| draft.point(v));
+                assert!(!in_circle_perturbed(a, b, c, d));
+            }
+        }
+    }
+
+    fn insert(draft: &mut Draft, [a, b]: [VertexId; 2]) -> Result<Vec<VertexId>, Blocked> {
+        let mut through = Vec::new();
+        Inserter::default().insert(draft, a, b, |v| through.push(v))?;
+        Ok(through)
+    }
+
+    /// A lattice of 7 by 7 points; vertex 7y + x is (x, y).
+    fn lattice() -> (Draft, impl Fn(usize) -> VertexId) {
+        let points: Vec<_> = (0..49)
+            .map(|i| (f64::from(i % 7), f64::from(i / 7)))
+            .collect();
+        draft(&points)
+    }
+
+    #[test]
+    fn a_segment_runs_through_the_vertices_on_it() {
+        let (mut draft, v) = lattice();
+        assert_eq!(
+            insert(&mut draft, [v(0), v(48)]),
+            Ok([8, 16, 24, 32, 40].map(&v).to_vec())
+        );
+        assert_eq!(
+            insert(&mut draft, [v(34), v(28)]),
+            Ok([33, 32, 31, 30, 29].map(&v).to_vec())
+        );
+        assert_eq!(insert(&mut draft, [v(1), v(17)]), Ok(vec![v(9)]));
+        assert_eq!(insert(&mut draft, [v(2), v(27)]), Ok(Vec::new()));
+        require_constrained_delaunay(&draft);
+    }
+
+    #[test]
+    fn a_crossing_blocks() {
+        let (mut draft, v) = lattice();
+        assert_eq!(insert(&mut draft, [v(0), v(13)]), Ok(Vec::new()));
+        assert_eq!(insert(&mut draft, [v(1), v(7)]), Err(Blocked));
+    }
+
+    /// All segments from one corner that miss all vertices, in any order, make the same triangles.
+    #[test]
+    fn the_order_of_segments_does_not_matter() {
+        let targets = [8 + 7 * 5, 17, 25, 26, 33, 34, 41, 47, 45, 43];
+        let triangles = |order: &mut dyn Iterator<Item = usize>| {
+            let (mut draft, v) = lattice();
+            for i in order {
+                let _ = insert(&mut draft, [v(0), v(targets[i])]).expect("no crossing");
+            }
+            require_constrained_delaunay(&draft);
+            let mut faces: Vec<_> = draft.mesh.faces().to_vec();
+            for face in &mut faces {
+                let least = (0..3).min_by_key(|&k| face[k]).unwrap();
+                face.rotate_left(least);
+            }
+            faces.sort_unstable();
+            faces
+        };
+        let forwards = triangles(&mut (0..targets.len()));
+        assert_eq!(triangles(&mut (0..targets.len()).rev()), forwards);
+        assert_eq!(
+            triangles(&mut (0..targets.len()).map(|i| i * 7 % 10)),
+            forwards
+        );
+    }
+
+    /// Hanging from the left side by the edge pq is a triangle qxy: the corridor goes all around it.
+    #[test]
+    fn an_edge_may_hang_into_the_corridor_with_triangles_at_its_end() {
+        let (mut draft, v) = draft(&[
+            (-9.0, 0.0),
+            (9.0, 0.0),
+            (0.0, 9.0),
+            (0.0, 4.0),
+            (-1.0, 1.0),
+            (1.0, 1.0),
+            (0.0, -30.0),
+        ]);
+        for ends in [[2, 3], [3, 4], [4, 5], [5, 3]] {
+            assert_eq!(insert(&mut draft, ends.map(&v)), Ok(Vec::new()));
+        }
+        assert_eq!(insert(&mut draft, [v(0), v(1)]), Ok(Vec::new()));
+        require_constrained_delaunay(&draft);
+    }
+
+    /// Along a smooth curve flips do not get by, so the sides are triangulated in bulk.
+    #[test]
+    fn a_chord_of_a_curve() {
+        let arc = |i: i32| {
+            let x = f64::from(i) / 300.0;
+            (x, 0.01 + 0.3 * x * (1.0 - x))
+        };
+        let mut points: Vec<_> = (1..300).map(arc).collect();
+        points.extend((1..300).map(arc).map(|(x, y)| (x + 1e-6, -y)));
+        points.extend([(0.0, 0.0), (1.1, 0.0)]);
+        let (mut draft, v) = draft(&points);
+        let ends = [v(points.len() - 2), v(points.len() - 1)];
+        assert_eq!(insert(&mut draft, ends), Ok(Vec::new()));
+        require_constrained_delaunay(&draft);
+    }
+}

@@ -244,3 +244,94 @@ impl Marks {
         self.0
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::super::names::Names;
+    use super::*;
+    use crate::delaunay::Curve;
+    use crate::parallel::Workers;
+
+    /// Triangulates points; the function returned finds the draft's vertex of a point.
+    pub fn draft(points: &[(f64, f64)]) -> (Draft, impl Fn(usize) -> VertexId + use<>) {
+        let points: Vec<Point> = points.iter().map(|&p| p.into()).collect();
+        let parts = Curve::build(&points, Workers::ONE, &())
+            .unwrap()
+            .into_parts();
+        let positions = Names::of(&parts).positions;
+        (Draft::new(parts.points, parts.mesh), move |i| positions[i])
+    }
+
+    /// A hexagon about the origin, which is vertex 6.
+    const WHEEL: [(f64, f64); 7] = [
+        (2.0, 0.0),
+        (1.0, 2.0),
+        (-1.0, 2.0),
+        (-2.0, 0.0),
+        (-1.0, -2.0),
+        (1.0, -2.0),
+        (0.0, 0.0),
+    ];
+
+    #[test]
+    fn every_edge_is_found_from_both_ends() {
+        let (draft, v) = draft(&WHEEL);
+        for i in 0..6 {
+            let [hub, rim, next] = [v(6), v(i), v((i + 1) % 6)];
+            for [a, b] in [[hub, rim], [rim, hub], [rim, next], [next, rim]] {
+                let h = draft.find_edge(a, b).expect("an edge of the wheel");
+                assert_eq!([draft.mesh.origin(h), draft.mesh.dest(h)], [a, b]);
+            }
+            assert_eq!(draft.find_edge(rim, v((i + 3) % 6)), None);
+        }
+    }
+
+    #[test]
+    fn looking_ahead_sees_edges_gaps_and_the_outside() {
+        let (draft, v) = draft(&WHEEL);
+        let ends = |h| [draft.mesh.origin(h), draft.mesh.dest(h)];
+        for i in 0..6 {
+            let (x, y) = WHEEL[i];
+            // Along a spoke, before, at and behind its end.
+            for scale in [0.5, 1.0, 3.0] {
+                let seen = draft.ahead(v(6), Point::new(scale * x, scale * y));
+                assert!(matches!(seen, Ahead::Along(h) if ends(h) == [v(6), v(i)]));
+            }
+            let (z, w) = WHEEL[(i + 1) % 6];
+            let seen = draft.ahead(v(6), Point::new(x + z, y + w));
+            assert!(matches!(seen, Ahead::Across(h) if ends(h) == [v(i), v((i + 1) % 6)]));
+            assert_eq!(
+                draft.ahead(v(i), Point::new(2.0 * x, 2.0 * y)),
+                Ahead::Outside
+            );
+        }
+    }
+
+    #[test]
+    fn marks_go_with_their_edges_through_flips() {
+        let corners = [(0.0, 0.0), (3.0, -1.0), (4.0, 2.0), (1.0, 3.0)];
+        let (mut draft, v) = draft(&corners);
+        let sides = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|ends| ends.map(&v));
+        let find = |draft: &Draft, [a, b]: [VertexId; 2]| draft.find_edge(a, b).unwrap();
+        draft.constrain(find(&draft, sides[0]));
+        draft.constrain(find(&draft, sides[2]));
+        draft.constrain(find(&draft, sides[2]));
+        let diagonal = [[0, 2], [1, 3]].map(|ends| ends.map(&v));
+        let mut h = diagonal
+            .into_iter()
+            .find_map(|[a, b]| draft.find_edge(a, b))
+            .unwrap();
+        for _ in 0..4 {
+            draft.flip(h);
+            h = h.next();
+            draft.mesh.validate().expect("flipped");
+            for (i, side) in sides.into_iter().enumerate() {
+                let h = find(&draft, side);
+                for h in [h, draft.mesh.twin(h)] {
+                    assert_eq!(draft.marks.is_constrained(h), i % 2 == 0);
+                    assert_eq!(draft.marks.is_odd(h), i == 0);
+                }
+            }
+        }
+    }
+}
