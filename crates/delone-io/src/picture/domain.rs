@@ -28,7 +28,7 @@ const CASING: f32 = 2.0;
 const INKED: f32 = 0.04;
 
 /// Width in pixels of the usual size, and opacity, of the bands.
-pub(crate) const BAND_WIDTH: f32 = 8.0;
+pub(crate) const BAND_WIDTH: f32 = 10.0;
 pub(crate) const BAND_OPACITY: f32 = 0.85;
 
 /// Share of the radius of a ring that is paper.
