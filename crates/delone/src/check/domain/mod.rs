@@ -44,8 +44,8 @@
 //! triangulation (Lee and Lin 1986); under the perturbation there is one only.
 //!
 //! *Cost*: O((n + m) log (n + m)) for n points and m subsegments;
-//! memory about 150 bytes a point and 40 a triangle. The verification ends after the first group of
-//! tests that finds a defect where the next ones would have no meaning.
+//! memory about 150 bytes a point and 40 a triangle. Where the plane or the segments turn out wrong,
+//! there is no domain to compare with, and the verification ends.
 //!
 //! This module does not check regions, nor that added vertices are rounded correctly.
 
@@ -207,11 +207,9 @@ impl DomainVerifier<'_, '_> {
         let Some(below) = self.check_plane(&graph)? else {
             return Ok(self.wrong());
         };
-        let chains = self.check_chains(&graph)?;
-        if self.is_wrong() {
-            // Without segments there is no domain.
+        let Some(chains) = self.check_chains(&graph)? else {
             return Ok(self.wrong());
-        }
+        };
         let area = self.area(&graph, &below, &chains)?;
         borders.check(&mut self.verifier, &graph, &area, &self.input.holes)?;
         self.check_presence(&graph, &below, &area, &corners)?;
@@ -324,14 +322,15 @@ impl DomainVerifier<'_, '_> {
         Ok(None)
     }
 
-    /// Tests segments and added vertices.
-    fn check_chains(&mut self, graph: &Graph) -> Result<Chains, Error> {
+    /// Tests segments and added vertices; where they are wrong, there is no domain to speak of.
+    fn check_chains(&mut self, graph: &Graph) -> Result<Option<Chains>, Error> {
         let segments = &self.input.segments;
         let pace = &mut self.verifier.pace;
         let chains = Chains::find(graph, segments, self.mesh.chains, pace)?;
         let corner = |place: Place| graph.places.corner(place);
         let ends = |segment: usize| segments[segment].map(|v| Corner::new(self.mesh.points, v));
         let defects = &mut self.verifier.defects;
+        let before = defects.total();
         for &(segment, reached) in &chains.broken {
             defects.push(Defect::BrokenChain {
                 segment,
@@ -351,7 +350,8 @@ impl DomainVerifier<'_, '_> {
             defects.push(Defect::StraySubsegment { edge });
         }
         self.check_added(graph, &chains)?;
-        Ok(chains)
+        let is_right = self.verifier.defects.total() == before;
+        Ok(is_right.then_some(chains))
     }
 
     /// Requires a reason for every added vertex: today, that segments cross there.
