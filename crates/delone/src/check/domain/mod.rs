@@ -137,7 +137,7 @@ impl<'a> DomainMesh<'a> {
 /// # Errors
 /// What is wrong with the input, as the builder says it: [`Error::NotFinite`] (for added points too),
 /// [`Error::TooManyPoints`], [`Error::BadSegment`], [`Error::TooManySegments`], [`Error::BadPolygon`],
-/// [`Error::OpenPolygon`], [`Error::SeedNotFinite`] and [`Error::SeedOnSegment`] for holes; and
+/// [`Error::OpenPolygon`] (where it matters), [`Error::SeedNotFinite`] and [`Error::SeedOnSegment`] for holes; and
 /// [`Error::Cancelled`] if `watch` asks for it. A wrong mesh is no error but [`Verdict::Wrong`].
 ///
 /// *Cost*: O(n log n) for n points and subsegments; a few seconds for a million on one thread.
@@ -200,7 +200,9 @@ impl DomainVerifier<'_, '_> {
             return Ok(self.wrong());
         }
         let places = Places::find(self.mesh.points, &mut self.verifier.pace)?;
-        input::require_closed(self.input, &places, &mut self.verifier.pace)?;
+        if self.rule == DomainRule::EvenOdd {
+            input::require_closed(self.input, &places, &mut self.verifier.pace)?;
+        }
         let corners = self.check_places(&places)?;
         let graph = self.graph(&places)?;
         let borders = self.check_triangles(&graph)?;
