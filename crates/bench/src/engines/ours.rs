@@ -1,20 +1,24 @@
 //! This project.
 
 use super::Contender;
-use delone::{Delaunay, Point, Triangulation, check};
+use delone::{
+    ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, Point, Pslg, SegmentPolicy,
+    Triangulation, VertexId, check,
+};
+use delone_samples::Drawing;
 
-/// The default builder on a fixed number of threads.
-pub struct Ours {
+/// The default builder of points on a fixed number of threads.
+pub struct Points {
     /// Number of threads.
     pub threads: usize,
 }
 
-impl Contender for Ours {
+impl Contender for Points {
     type Input = Vec<Point>;
     type Output = Triangulation;
 
-    fn prepare(&self, points: Vec<[f64; 2]>) -> Self::Input {
-        points.into_iter().map(Point::from).collect()
+    fn prepare(&self, drawing: Drawing) -> Self::Input {
+        drawing.points.into_iter().map(Point::from).collect()
     }
 
     /// The result takes the points over, as spade's does.
@@ -39,5 +43,46 @@ impl Contender for Ours {
             .into_result()
             .map(drop)
             .map_err(|defects| defects.to_string())
+    }
+}
+
+/// The builder of domains, which keeps the convex hull.
+pub struct Segments {
+    /// Number of threads.
+    pub threads: usize,
+    /// What to do where segments cross.
+    pub crossings: SegmentPolicy,
+}
+
+impl Contender for Segments {
+    type Input = Pslg;
+    type Output = ConstrainedTriangulation;
+
+    fn prepare(&self, drawing: Drawing) -> Self::Input {
+        let ends = drawing.segments.into_iter();
+        Pslg {
+            segments: ends.map(|ends| ends.map(VertexId::from)).collect(),
+            ..Pslg::from_points(drawing.points)
+        }
+    }
+
+    fn triangulate(&self, input: &mut Self::Input) -> Result<Self::Output, String> {
+        ConstrainedDelaunay::new()
+            .crossings(self.crossings)
+            .threads(self.threads)
+            .triangulate(std::mem::take(input))
+            .map_err(|error| error.to_string())
+    }
+
+    fn num_triangles(&self, output: &Self::Output) -> usize {
+        output.triangulation().num_triangles()
+    }
+
+    fn num_constrained(&self, output: &Self::Output) -> Option<usize> {
+        Some(output.constrained_edges().count())
+    }
+
+    fn hash(&self, output: &Self::Output) -> Option<String> {
+        Some(output.triangulation().hash().to_string())
     }
 }
