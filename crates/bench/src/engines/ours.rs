@@ -1,9 +1,10 @@
 //! This project.
 
 use super::Contender;
+use delone::check::DomainMesh;
 use delone::{
-    ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, Point, Pslg, SegmentPolicy,
-    Triangulation, VertexId, check,
+    ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, DomainRule, Point, Pslg,
+    SegmentPolicy, Triangulation, VertexId, check,
 };
 use delone_samples::Drawing;
 
@@ -84,5 +85,23 @@ impl Contender for Segments {
 
     fn hash(&self, output: &Self::Output) -> Option<String> {
         Some(output.triangulation().hash().to_string())
+    }
+    /// Holds the result against its own copy of the input, for the caller's has been taken over.
+    fn verify(&self, output: &Self::Output) -> Result<(), String> {
+        let triangulation = output.triangulation();
+        let points = triangulation.points();
+        let input = Pslg {
+            points: points[..output.num_input_points()].to_vec(),
+            segments: output.segments().to_vec(),
+            ..Pslg::default()
+        };
+        let subsegments: Vec<_> = output.constrained_edges().collect();
+        let chain = |segment| output.chain(segment);
+        let mesh = DomainMesh::new(points, triangulation.triangles(), &subsegments);
+        check::verify_domain(&input, DomainRule::Hull, &mesh.with_chains(&chain), &())
+            .map_err(|error| error.to_string())?
+            .into_result()
+            .map(drop)
+            .map_err(|defects| defects.to_string())
     }
 }
