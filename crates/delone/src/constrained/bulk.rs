@@ -95,15 +95,16 @@ impl Model {
         let mut missing = Vec::new();
         for &[from, to] in &self.rim {
             match self.draft.find_edge(from, to) {
-                Some(h) => self.draft.constrain(h),
-                None => missing.push([from, to]),
+                Ok(h) => self.draft.constrain(h),
+                Err(_) => missing.push([from, to]),
             }
         }
-        for [from, to] in missing {
-            let through = |_| unreachable!("bug: no vertex lies inside of an edge");
-            let inserted = inserter.insert(&mut self.draft, from, to, through);
+        let mut through = Vec::new();
+        for ends in missing {
+            let inserted = inserter.insert(&mut self.draft, ends, &mut through);
             inserted.expect("bug: edges do not cross");
         }
+        debug_assert!(through.is_empty(), "bug: a vertex lies inside of an edge");
     }
 
     /// Lists the triangles between rim and segment.
@@ -127,7 +128,12 @@ impl Model {
     }
 
     fn edge(&self, from: VertexId, to: VertexId) -> HalfEdgeId {
-        let edge = self.draft.find_edge(from, to);
-        edge.expect("bug: segment and rim are edges")
+        let h = self.draft.find_edge(from, to);
+        let h = h.expect("bug: segment and rim are edges");
+        if self.draft.mesh.origin(h) == from {
+            h
+        } else {
+            self.draft.mesh.twin(h)
+        }
     }
 }

@@ -58,29 +58,57 @@ impl Inserter {
         }
     }
 
-    /// Inserts the segment from `a` to `b`, which differ, and tells `through` of each vertex that it
-    /// runs through. When it is blocked, the part before is in.
+    /// Inserts the segment from `a` to `b`, which differ, and adds the vertices that it runs through to
+    /// `through`. When it is blocked, part of it may be in.
+    ///
+    /// Works from both ends, always from the one with fewer edges: turning round a vertex with many is
+    /// what costs.
     pub fn insert(
         &mut self,
         draft: &mut Draft,
-        a: VertexId,
-        b: VertexId,
-        mut through: impl FnMut(VertexId),
+        [a, b]: [VertexId; 2],
+        through: &mut Vec<VertexId>,
     ) -> Result<(), Blocked> {
-        let mut from = a;
+        let mut later = Vec::new();
+        let [mut first, mut last] = [a, b];
         loop {
-            from = match draft.ahead(from, draft.point(b)) {
-                Ahead::Along(h) => {
+            let [from, to] = match draft.find_edge(first, last) {
+                Ok(h) => {
                     draft.constrain(h);
-                    draft.mesh.dest(h)
+                    break;
                 }
-                Ahead::Across(h) => self.insert_across(draft, from, b, h)?,
-                Ahead::Outside => unreachable!("bug: a segment leaves the hull"),
+                Err(ends) => ends,
             };
-            if from == b {
-                return Ok(());
+            let next = self.advance(draft, from, to)?;
+            if next == to {
+                break;
             }
-            through(from);
+            if from == first {
+                through.push(next);
+                first = next;
+            } else {
+                later.push(next);
+                last = next;
+            }
+        }
+        through.extend(later.into_iter().rev());
+        Ok(())
+    }
+
+    /// Inserts the first part of the segment from `from` to `to`, up to the vertex that is returned.
+    fn advance(
+        &mut self,
+        draft: &mut Draft,
+        from: VertexId,
+        to: VertexId,
+    ) -> Result<VertexId, Blocked> {
+        match draft.ahead(from, draft.point(to)) {
+            Ahead::Along(h) => {
+                draft.constrain(h);
+                Ok(draft.mesh.dest(h))
+            }
+            Ahead::Across(h) => self.insert_across(draft, from, to, h),
+            Ahead::Outside => unreachable!("bug: a segment leaves the hull"),
         }
     }
 
@@ -228,9 +256,9 @@ mod tests {
         }
     }
 
-    fn insert(draft: &mut Draft, [a, b]: [VertexId; 2]) -> Result<Vec<VertexId>, Blocked> {
+    fn insert(draft: &mut Draft, ends: [VertexId; 2]) -> Result<Vec<VertexId>, Blocked> {
         let mut through = Vec::new();
-        Inserter::default().insert(draft, a, b, |v| through.push(v))?;
+        Inserter::default().insert(draft, ends, &mut through)?;
         Ok(through)
     }
 
