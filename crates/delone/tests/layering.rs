@@ -43,6 +43,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "point",
             "mesh::VertexId",
             "predicates",
+            "error",
             "watch",
             "memory",
             "parallel",
