@@ -1,6 +1,6 @@
 //! The formats, and how a file tells which one it is.
 
-use crate::{node, npy, table, vtu};
+use crate::{geojson, node, npy, table, vtu, wkt};
 use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
@@ -20,12 +20,16 @@ pub enum Format {
     Edge,
     /// Triangle's `.neigh`: neighbours of triangles; goes with an `.ele` of the same stem.
     Neigh,
-    /// Triangle's `.poly`: points, segments, holes. Only its points are read as yet.
+    /// Triangle's `.poly`: points, segments, holes, regions.
     Poly,
     /// NumPy's `.npy`: one array.
     Npy,
     /// Text table: CSV, TSV, XYZ, columns set apart by commas, semicolons, tabs or blanks.
     Table,
+    /// GeoJSON: points, lines and polygons of geography.
+    GeoJson,
+    /// Well-known text: points, lines and polygons of databases, also with SRID.
+    Wkt,
     /// VTK's unstructured grid in XML, for ParaView and its kin.
     Vtu,
     /// Picture of lines and areas.
@@ -36,7 +40,7 @@ pub enum Format {
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Node,
         Self::Ele,
         Self::Edge,
@@ -44,6 +48,8 @@ impl Format {
         Self::Poly,
         Self::Npy,
         Self::Table,
+        Self::GeoJson,
+        Self::Wkt,
         Self::Vtu,
         Self::Svg,
         Self::Png,
@@ -64,6 +70,8 @@ impl Format {
             Self::Poly => &["poly"],
             Self::Npy => &["npy"],
             Self::Table => &["csv", "tsv", "txt", "xyz", "xy", "tab", "dat", "asc", "pts"],
+            Self::GeoJson => &["geojson", "json"],
+            Self::Wkt => &["wkt", "ewkt"],
             Self::Vtu => &["vtu"],
             Self::Svg => &["svg"],
             Self::Png => &["png"],
@@ -87,6 +95,12 @@ impl Format {
         if vtu::sniff(head) {
             return Some(Self::Vtu);
         }
+        if geojson::sniff(head) {
+            return Some(Self::GeoJson);
+        }
+        if wkt::sniff(head) {
+            return Some(Self::Wkt);
+        }
         if node::sniff(head) {
             return Some(Self::Node);
         }
@@ -108,6 +122,12 @@ impl Format {
         !matches!(self, Self::Edge | Self::Neigh | Self::Svg | Self::Png)
     }
 
+    /// Tells whether the format can hold segments, for [`read_domain`](crate::read_domain); all other
+    /// formats of points are read as domains without.
+    pub const fn reads_segments(self) -> bool {
+        matches!(self, Self::Poly | Self::GeoJson | Self::Wkt)
+    }
+
     /// Tells whether [`read_mesh`](crate::read_mesh) understands the format.
     pub const fn reads_mesh(self) -> bool {
         matches!(self, Self::Node | Self::Ele | Self::Npy | Self::Vtu)
@@ -115,12 +135,20 @@ impl Format {
 
     /// Tells whether [`write_mesh`](crate::write_mesh) can write the format.
     pub const fn writes_mesh(self) -> bool {
-        !matches!(self, Self::Table)
+        !matches!(self, Self::Table | Self::Wkt)
     }
 
     /// Tells whether [`write_points`](crate::write_points) can write the format.
     pub const fn writes_points(self) -> bool {
-        !matches!(self, Self::Ele | Self::Edge | Self::Neigh | Self::Poly)
+        !matches!(
+            self,
+            Self::Ele | Self::Edge | Self::Neigh | Self::Poly | Self::GeoJson | Self::Wkt
+        )
+    }
+
+    /// Tells whether [`write_domain`](crate::write_domain) can write segments in the format.
+    pub const fn writes_segments(self) -> bool {
+        matches!(self, Self::Poly | Self::GeoJson | Self::Svg | Self::Png)
     }
 
     /// Tells whether the format is a picture.
