@@ -118,7 +118,6 @@ impl<'a> Rounds<'a> {
     /// Makes one round; true if something was cut, `None` if the watch cancelled.
     pub fn step(&mut self) -> Option<bool> {
         let (mut cuts, crossings) = self.search()?;
-        let known = self.vertices.len();
         self.place(crossings, &mut cuts)?;
         if cuts.is_empty() {
             return Some(false);
@@ -127,7 +126,7 @@ impl<'a> Rounds<'a> {
             return None;
         }
         if self.is_cascade() {
-            self.snap(known, &mut cuts)?;
+            self.snap(&mut cuts)?;
         }
         self.cut(cuts)?;
         self.round += 1;
@@ -143,44 +142,24 @@ impl<'a> Rounds<'a> {
         self.round >= EXACT_ROUNDS || (self.round > 0 && self.vertices.added.len() > most)
     }
 
-    /// Adds the vertices that subsegments pass, up to rounding, to the cuts: pairs with a subsegment
-    /// that is new, or with a vertex that is an end of one or was added since there were `known`.
-    fn snap(&mut self, known: usize, cuts: &mut Vec<Cut>) -> Option<()> {
-        let (new, old) = self.layers.split_last().expect("bug: no layer");
-        let ends = new
-            .items()
-            .iter()
-            .flat_map(|&s| self.pieces.ends[s as usize]);
-        let mut hot: Vec<u32> = ends
-            .chain(known as u32..self.vertices.len() as u32)
-            .collect();
-        hot.sort_unstable();
-        hot.dedup();
-        let hot = tree_of_points(&self.vertices, &hot, self.workers);
-        let sweep = self.sweep();
-        let at_hot = sweep.leaves(&hot, |leaf, query, cuts: &mut Vec<Cut>| {
-            self.layers.iter().all(|layer| {
-                hot.pairs_with(leaf, layer, &mut query.stack, |v, s| {
-                    self.snap_to(s, v, cuts);
-                    query.ticks.step()
-                })
-            })
-        })?;
-        let at_old = sweep.leaves(new, |leaf, query, cuts: &mut Vec<Cut>| {
-            let Query { stack, ticks } = query;
-            old.iter().all(|layer| {
-                new.pairs_with(leaf, layer, stack, |s, t| {
-                    for v in self.pieces.ends[t as usize] {
+    /// Adds the vertices that subsegments pass, up to rounding, to the cuts. This looks at all pairs, old
+    /// ones too: the rounds before did not.
+    fn snap(&self, cuts: &mut Vec<Cut>) -> Option<()> {
+        let input = self.list.iter().map(|v| v.raw());
+        let added = self.vertices.num_input() as u32..self.vertices.len() as u32;
+        let all: Vec<u32> = input.chain(added).collect();
+        let tree = tree_of_points(&self.vertices, &all, self.workers);
+        let passed = self
+            .sweep()
+            .leaves(&tree, |leaf, query, cuts: &mut Vec<Cut>| {
+                self.layers.iter().all(|layer| {
+                    tree.pairs_with(leaf, layer, &mut query.stack, |v, s| {
                         self.snap_to(s, v, cuts);
-                    }
-                    ticks.step()
+                        query.ticks.step()
+                    })
                 })
-            }) && new.pairs_with(leaf, &self.loose, stack, |s, v| {
-                self.snap_to(s, v, cuts);
-                ticks.step()
-            })
-        })?;
-        cuts.extend(at_hot.into_iter().chain(at_old).flatten());
+            })?;
+        cuts.extend(passed.into_iter().flatten());
         Some(())
     }
 

@@ -9,7 +9,7 @@ use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
 use dashu_ratio::RBig;
 use delone::{Point, VertexId};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Into what segments have been cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +44,6 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
     let ends = segments.iter().map(|s| s.map(|v| points[v.index()]));
     let mut lines: Vec<Vec<Point>> = ends.map(|[a, b]| [a, b].to_vec()).collect();
     lines.iter_mut().for_each(|line| line.dedup());
-    let mut before = BTreeMap::new();
     let mut added_first = 0;
     for number in 0.. {
         let pieces = pieces(&lines);
@@ -68,15 +67,8 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
         }
         let added = places.len() - num_input;
         if number >= EXACT_ROUNDS || (number > 0 && added > most_added(added_first)) {
-            let new = |key: &Key| !before.contains_key(key);
-            let ends = pieces.keys().filter(|key| new(key)).flatten().copied();
-            let added = places.keys().filter(|p| !known.contains_key(*p)).copied();
-            let hot: BTreeSet<_> = ends.chain(added).collect();
             for (key, &piece) in &pieces {
-                let meets = |(place, p): &(&[u64; 2], &Point)| {
-                    (new(key) || hot.contains(*place)) && passes(piece, **p)
-                };
-                let passed = places.iter().filter(meets).map(|(_, &p)| p);
+                let passed = places.values().filter(|&&p| passes(piece, p));
                 stops.get_mut(key).expect("a piece").extend(passed);
             }
         }
@@ -88,7 +80,6 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
             .map(|(key, &piece)| (*key, through(piece, &stops[key])));
         let cuts = cuts.collect();
         lines = lines.iter().map(|line| replaced(line, &cuts)).collect();
-        before = pieces;
     }
     unreachable!("chains cannot be refined for ever")
 }
