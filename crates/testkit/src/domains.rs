@@ -6,6 +6,7 @@ use crate::naive::{
     NaiveNoding, naive_constrained, naive_domain, naive_first_crossing, naive_noding,
     sorted_triangles,
 };
+use delone::check::{DomainMesh, verify_domain};
 use delone::predicates::{Orientation, in_circle_perturbed, orient2d};
 use delone::{
     ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Error, Origin, Pslg, SegmentPolicy,
@@ -217,6 +218,23 @@ pub fn check_canonical(
         hash(t) == hash(&again) && counts(t) == counts(&again),
         || format!("permuted, it has other triangles:\n{other:?}"),
     )
+}
+
+/// Checks that the verifier certifies a result.
+///
+/// # Errors
+/// What it finds wrong.
+pub fn check_verified(domain: &Domain, t: &ConstrainedTriangulation) -> Outcome {
+    let result = t.triangulation();
+    let subsegments: Vec<_> = t.constrained_edges().collect();
+    let chains = |segment: usize| t.chain(segment);
+    let mesh = DomainMesh::new(result.points(), result.triangles(), &subsegments);
+    let verdict = verify_domain(&domain.pslg, domain.rule, &mesh.with_chains(&chains), &());
+    let verdict = verdict.map_err(|e| format!("the verifier refuses: {e}"))?;
+    let certificate = verdict.into_result().map_err(|e| e.to_string())?;
+    ensure(certificate.hash == result.hash(), || {
+        "other hash".to_owned()
+    })
 }
 
 /// Checks that a result is what the definitions say. For tiny inputs.

@@ -3,7 +3,7 @@
 use super::points::{kind, points_from_bytes};
 use super::{Case, array, guarded, without_one};
 use crate::domains::{
-    Domain, check_canonical, check_error, check_naive, check_sound, has_crossing,
+    Domain, check_canonical, check_error, check_naive, check_sound, check_verified, has_crossing,
 };
 use crate::generate::Random;
 use delone::{DomainRule, Point, Pslg, Region, SegmentPolicy, VertexId};
