@@ -2,13 +2,14 @@
 //! both policies, and the same again when shuffled, rotated or scaled; and by name the inputs on
 //! which other systems broke.
 
-use delone::check::{self, DomainMesh};
 use delone::{
     ConstrainedTriangulation, DomainRule, Error, Point, SegmentPolicy, VertexId, Warning,
     hash_triangles,
 };
 use delone_testkit::corpus::{self, Entry, Facts};
-use delone_testkit::domains::{Domain, check_canonical, check_naive, check_sound, has_crossing};
+use delone_testkit::domains::{
+    Domain, check_canonical, check_naive, check_sound, check_verified, has_crossing,
+};
 use delone_testkit::generate::{Random, scaled};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -44,16 +45,8 @@ fn verified(name: &str, domain: &Domain) -> ConstrainedTriangulation {
         .triangulate(2)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     check_sound(&domain.pslg, &t).unwrap_or_else(|reason| panic!("{name}: {reason}"));
-    let subsegments: Vec<_> = t.constrained_edges().collect();
-    let result = t.triangulation();
-    let chains = |segment: usize| t.chain(segment);
-    let mesh = DomainMesh::new(result.points(), result.triangles(), &subsegments);
-    let mesh = mesh.with_chains(&chains);
-    let verdict = check::verify_domain(&domain.pslg, domain.rule, &mesh, &());
-    let verdict = verdict.unwrap_or_else(|e| panic!("{name}: {e}"));
-    if let Err(defects) = verdict.into_result() {
-        panic!("{name}, {:?}:\n{defects}", domain.rule);
-    }
+    check_verified(domain, &t)
+        .unwrap_or_else(|reason| panic!("{name}, {:?}:\n{reason}", domain.rule));
     t
 }
 

@@ -3,7 +3,7 @@
 use super::points::{kind, points_from_bytes};
 use super::{Case, array, guarded, without_one};
 use crate::domains::{
-    Domain, check_canonical, check_error, check_naive, check_sound, has_crossing,
+    Domain, check_canonical, check_error, check_naive, check_sound, check_verified, has_crossing,
 };
 use crate::generate::Random;
 use delone::{DomainRule, Point, Pslg, Region, SegmentPolicy, VertexId};
@@ -202,11 +202,11 @@ fn check_result(domain: &Domain, is_deep: bool, seed: u64) -> Result<(), String>
     check_sound(&domain.pslg, &t)?;
     let threads = if is_deep { 3 } else { 1 };
     check_canonical(domain, &t, threads, &mut Random::new(seed))?;
-    if is_deep {
-        check_naive(domain, &t)
-    } else {
-        Ok(())
+    if !is_deep {
+        return Ok(());
     }
+    check_verified(domain, &t)?;
+    check_naive(domain, &t)
 }
 
 impl Case for Domain {

@@ -3,7 +3,7 @@
 //! In each round every pair of pieces is tried, O(m²), and every vertex against every piece. All
 //! cuts of a round are found before any is made; a crossing is an exact rational point, rounded to
 //! the nearest `f64` in each coordinate. If rounds add too many vertices, pieces are also cut at
-//! vertices that they pass up to rounding, where a new piece or vertex takes part.
+//! all vertices that they pass up to rounding.
 
 use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
@@ -39,49 +39,76 @@ fn most_added(first: usize) -> usize {
 
 /// Cuts segments until they meet only at shared ends. Coordinates must be finite.
 pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding {
-    let mut places: Places = points.iter().map(|&p| (bits(p), p)).collect();
-    let num_input = places.len();
+    let places: Places = points.iter().map(|&p| (bits(p), p)).collect();
     let ends = segments.iter().map(|s| s.map(|v| points[v.index()]));
     let mut lines: Vec<Vec<Point>> = ends.map(|[a, b]| [a, b].to_vec()).collect();
     lines.iter_mut().for_each(|line| line.dedup());
-    let mut added_first = 0;
-    for number in 0.. {
-        let pieces = pieces(&lines);
+    let mut rounds = Rounds {
+        num_input: places.len(),
+        places,
+        lines,
+        added_first: 0,
+        number: 0,
+    };
+    while rounds.step() {}
+    numbered(points, rounds.places, &rounds.lines)
+}
+
+/// The state between two rounds.
+struct Rounds {
+    places: Places,
+    num_input: usize,
+    lines: Vec<Vec<Point>>,
+    added_first: usize,
+    number: usize,
+}
+
+impl Rounds {
+    /// Cuts all pieces that must be; false if there are none.
+    fn step(&mut self) -> bool {
+        let pieces = pieces(&self.lines);
         let crossings = crossings(&pieces);
-        let known = places.clone();
-        places.extend(crossings.values().flatten().map(|&p| (bits(p), p)));
-        let exact = |key, piece| {
-            let crossings = crossings.get(key).into_iter().flatten();
+        let known = self.places.clone();
+        let added = crossings.values().flatten().map(|&p| (bits(p), p));
+        self.places.extend(added);
+        let stops = |(&key, &piece): (&Key, &Ends)| {
+            let crossings = crossings.get(&key).into_iter().flatten();
             let on_it = known.values().filter(|&&p| is_inside(piece, p));
-            on_it.chain(crossings).copied().collect::<Vec<_>>()
+            (key, through(piece, on_it.chain(crossings)))
         };
-        let mut stops: BTreeMap<Key, Vec<Point>> = pieces
-            .iter()
-            .map(|(key, &piece)| (*key, exact(key, piece)))
-            .collect();
-        if pieces
-            .iter()
-            .all(|(key, &[a, b])| stops[key].iter().all(|&p| p == a || p == b))
-        {
-            return numbered(points, places, &lines);
+        let mut cuts: Cuts = pieces.iter().map(stops).collect();
+        if cuts.values().all(|line| line.len() == 2) {
+            return false;
         }
-        let added = places.len() - num_input;
-        if number >= EXACT_ROUNDS || (number > 0 && added > most_added(added_first)) {
-            for (key, &piece) in &pieces {
-                let passed = places.values().filter(|&&p| passes(piece, p));
-                stops.get_mut(key).expect("a piece").extend(passed);
-            }
+        if self.is_cascade() {
+            self.snap(&pieces, &mut cuts);
         }
-        if number == 0 {
-            added_first = added;
+        if self.number == 0 {
+            self.added_first = self.num_added();
         }
-        let cuts = pieces
-            .iter()
-            .map(|(key, &piece)| (*key, through(piece, &stops[key])));
-        let cuts = cuts.collect();
-        lines = lines.iter().map(|line| replaced(line, &cuts)).collect();
+        let lines = self.lines.iter().map(|line| replaced(line, &cuts));
+        self.lines = lines.collect();
+        self.number += 1;
+        true
     }
-    unreachable!("chains cannot be refined for ever")
+
+    fn num_added(&self) -> usize {
+        self.places.len() - self.num_input
+    }
+
+    fn is_cascade(&self) -> bool {
+        let is_growing = self.number > 0 && self.num_added() > most_added(self.added_first);
+        self.number >= EXACT_ROUNDS || is_growing
+    }
+
+    /// Cuts at all vertices that are passed up to rounding too.
+    fn snap(&self, pieces: &BTreeMap<Key, Ends>, cuts: &mut Cuts) {
+        for (key, &piece) in pieces {
+            let passed = self.places.values().filter(|&&p| passes(piece, p));
+            let line = through(piece, passed.chain(&cuts[key]));
+            cuts.insert(*key, line);
+        }
+    }
 }
 
 /// Finds the lexicographically first pair of segments that cross in a point that is no vertex, and
@@ -103,6 +130,8 @@ pub fn naive_first_crossing(
 
 type Key = [[u64; 2]; 2];
 type Places = BTreeMap<[u64; 2], Point>;
+/// The points along each piece.
+type Cuts = BTreeMap<Key, Vec<Point>>;
 
 /// The pieces that lines consist of, each once and in one direction.
 fn pieces(lines: &[Vec<Point>]) -> BTreeMap<Key, Ends> {
@@ -155,8 +184,8 @@ fn passes([a, b]: Ends, p: Point) -> bool {
 
 /// Orders points along a piece, ends included. As rounding is monotone, they follow each other in x,
 /// and then in y, as they do on the piece.
-fn through([a, b]: Ends, stops: &[Point]) -> Vec<Point> {
-    let mut line = stops.to_vec();
+fn through<'a>([a, b]: Ends, stops: impl Iterator<Item = &'a Point>) -> Vec<Point> {
+    let mut line: Vec<_> = stops.copied().collect();
     let upright = |p: Point| Point::new(p.x, if b.y < a.y { -p.y } else { p.y });
     line.extend([a, b]);
     line.sort_by(|&p, &q| upright(p).lex_cmp(&upright(q)));
@@ -195,7 +224,7 @@ fn rounded([x, y]: &[RBig; 2]) -> Point {
 }
 
 /// Replaces each piece of a line by what it was cut into.
-fn replaced(line: &[Point], cuts: &BTreeMap<Key, Vec<Point>>) -> Vec<Point> {
+fn replaced(line: &[Point], cuts: &Cuts) -> Vec<Point> {
     let mut result = line[..1].to_vec();
     for step in line.windows(2) {
         let piece = forward([step[0], step[1]]);
