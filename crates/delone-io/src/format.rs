@@ -20,7 +20,7 @@ pub enum Format {
     Edge,
     /// Triangle's `.neigh`: neighbours of triangles; goes with an `.ele` of the same stem.
     Neigh,
-    /// Triangle's `.poly`: points, segments, holes. Only its points are read as yet.
+    /// Triangle's `.poly`: points, segments, holes, regions.
     Poly,
     /// NumPy's `.npy`: one array.
     Npy,
@@ -106,6 +106,12 @@ impl Format {
     /// Tells whether [`read_points`](crate::read_points) understands the format.
     pub const fn reads_points(self) -> bool {
         !matches!(self, Self::Edge | Self::Neigh | Self::Svg | Self::Png)
+    }
+
+    /// Tells whether the format can hold segments, for [`read_domain`](crate::read_domain); all other
+    /// formats of points are read as domains without.
+    pub const fn reads_segments(self) -> bool {
+        matches!(self, Self::Poly)
     }
 
     /// Tells whether [`read_mesh`](crate::read_mesh) understands the format.

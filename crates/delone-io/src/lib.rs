@@ -38,6 +38,7 @@
 //! ```
 
 mod cancel;
+mod domain;
 mod edge;
 mod ele;
 mod error;
@@ -61,6 +62,7 @@ mod triangle_files;
 mod unfinished;
 mod vtu;
 
+pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
 pub use format::Format;
 pub use mesh::{

@@ -1,6 +1,6 @@
 //! Point sets as files hold them, and how they are read.
 
-use crate::{Error, Format, Problem, Source, node, npy, poly, table, vtu};
+use crate::{Error, Format, Problem, Source, domain, node, npy, table, vtu};
 use delone::{Point, Watch};
 use std::fmt;
 use std::str::FromStr;
@@ -100,16 +100,28 @@ pub fn read_points(
     watch: &dyn Watch,
 ) -> Result<PointSet, Error> {
     let bytes = source.load(watch)?;
+    let format = resolve(source, &bytes, options, Format::reads_points)?;
+    read_loaded(source, &bytes, format, options, watch)
+}
+
+/// Reads points from the content of a source, whose format is known.
+pub(crate) fn read_loaded(
+    source: &Source,
+    bytes: &[u8],
+    format: Format,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<PointSet, Error> {
     let file = source.to_string();
-    match resolve(source, &bytes, options, Format::reads_points)? {
-        Format::Node => node::read_points(&file, &bytes, watch),
+    match format {
+        Format::Node => node::read_points(&file, bytes, watch),
         Format::Ele => read_sibling(source, Format::Ele, "node", options, watch),
-        Format::Poly => poly::read_points(&file, &bytes, watch, || {
-            read_sibling(source, Format::Poly, "node", options, watch)
-        }),
-        Format::Npy => npy::read_points(&file, &bytes, options.columns.as_ref(), watch),
-        Format::Vtu => vtu::read_mesh(&file, &bytes, watch).map(|mesh| mesh.vertices),
-        Format::Table => table::read_points(&file, &bytes, options.columns.as_ref(), watch),
+        Format::Npy => npy::read_points(&file, bytes, options.columns.as_ref(), watch),
+        Format::Vtu => vtu::read_mesh(&file, bytes, watch).map(|mesh| mesh.vertices),
+        Format::Table => table::read_points(&file, bytes, options.columns.as_ref(), watch),
+        format if format.reads_segments() => {
+            domain::read_loaded(source, bytes, format, options, watch).map(|d| d.vertices)
+        }
         format => Err(unsupported(source, format, "be read", Format::reads_points)),
     }
 }

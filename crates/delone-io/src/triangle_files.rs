@@ -19,8 +19,13 @@ const MAX_COUNTS: usize = 4;
 impl<'a> Header<'a> {
     /// Reads the header from the next row; counts left out are read as zero.
     pub fn read(scanner: &mut Scanner<'a>) -> Result<Self, Error> {
+        Self::read_if_any(scanner)?.ok_or_else(|| scanner.malformed(Place::File, Problem::Empty))
+    }
+
+    /// As [`read`](Self::read), but the text may also be at its end.
+    pub fn read_if_any(scanner: &mut Scanner<'a>) -> Result<Option<Self>, Error> {
         let Some(row) = scanner.next_row()? else {
-            return Err(scanner.malformed(Place::File, Problem::Empty));
+            return Ok(None);
         };
         let mut counts = Vec::new();
         for word in row.words() {
@@ -35,7 +40,7 @@ impl<'a> Header<'a> {
             }
             counts.push(count);
         }
-        Ok(Self { row, counts })
+        Ok(Some(Self { row, counts }))
     }
 
     /// Returns count number `place`, or what is usual if the header ends before it.
@@ -73,11 +78,21 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// Reads the rows, gives each with its index (from 0), its number and its cells to `take`, and
-    /// returns the number of the first.
+    /// Reads the rows, gives each with its number and its further cells to `take`, and returns the
+    /// number of the first.
     pub fn read<'a>(
         &self,
         scanner: &mut Scanner<'a>,
+        take: impl FnMut(u64, &[&'a [u8]]) -> Result<(), Problem>,
+    ) -> Result<u32, Error> {
+        self.read_ragged(scanner, self.columns, take)
+    }
+
+    /// As [`read`](Self::read), but rows may end after `least` columns.
+    pub fn read_ragged<'a>(
+        &self,
+        scanner: &mut Scanner<'a>,
+        least: usize,
         mut take: impl FnMut(u64, &[&'a [u8]]) -> Result<(), Problem>,
     ) -> Result<u32, Error> {
         let mut base = self.base;
@@ -94,7 +109,7 @@ impl Block {
             cells.clear();
             cells.extend(row.words().take(self.columns.saturating_add(1)));
             let number = self
-                .check_row(row, &cells, base.map(|base| found + u64::from(base)))
+                .check_row(row, &cells, least, base.map(|base| found + u64::from(base)))
                 .map_err(|problem| scanner.at(row, problem))?;
             base.get_or_insert(number as u32);
             take(number, &cells[1..]).map_err(|problem| scanner.at(row, problem))?;
@@ -103,8 +118,14 @@ impl Block {
     }
 
     /// Checks width and number of a row and returns the number.
-    fn check_row(&self, row: Row<'_>, cells: &[&[u8]], due: Option<u64>) -> Result<u64, Problem> {
-        if cells.len() != self.columns {
+    fn check_row(
+        &self,
+        row: Row<'_>,
+        cells: &[&[u8]],
+        least: usize,
+        due: Option<u64>,
+    ) -> Result<u64, Problem> {
+        if !(least..=self.columns).contains(&cells.len()) {
             let (expected, found) = (self.columns, row.words().count());
             return Err(Problem::Columns { expected, found });
         }

@@ -95,7 +95,42 @@ const TABLE: &[(&str, &str, &str)] = &[
     (
         "a.poly",
         "2 2 0 0\n1 0 0\n2 1 0\n",
-        "a.poly:3: truncated: no header of segments",
+        "a.poly:3: truncated: no header of segments; write 0",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n1 0\n1 1 1\n",
+        "a.poly:4: truncated: no header of holes; write 0",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n1\n1 nan 0\n",
+        "a.poly:5: hole 1: x is nan, it must be finite",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n-1\n",
+        "a.poly:4: -1 holes: a count cannot be negative",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n0\n2\n1 0 0 5\n",
+        "a.poly:6: truncated: header says 2 regions, file has 1",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n0\n1\n1 0 0\n",
+        "a.poly:6: expected 5 columns, found 3",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n0\n1\n1 0 0 five\n",
+        "a.poly:6: attribute or area is not a number: \"five\"",
+    ),
+    (
+        "a.poly",
+        "1 2 0 0\n1 0 0\n0 0\n0\n0\nmore\n",
+        "a.poly:6: header says 0 regions, but more rows follow",
     ),
     (
         "a.node",

@@ -1,0 +1,112 @@
+//! Domains as files hold them, and how they are read.
+
+use crate::points::{self, read_sibling, resolve};
+use crate::{Error, Format, PointSet, ReadOptions, Source, poly};
+use delone::{DomainRule, Point, Pslg, Region, VertexId, Watch};
+use std::ops::Range;
+
+/// A domain read from files: points and segments, and what lies between them. Not trusted to be
+/// clean, but every segment joins two of the points, and every coordinate is finite.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DomainData {
+    /// The points, ends of segments and loose ones alike.
+    pub vertices: PointSet,
+    /// The segments, as indices of their ends.
+    pub segments: Vec<[VertexId; 2]>,
+    /// A marker for each segment, if the file has them.
+    pub segment_markers: Option<Vec<i32>>,
+    /// For each polygon the segments that bound it, outline and holes together.
+    pub polygons: Vec<Range<usize>>,
+    /// A point in each hole.
+    pub holes: Vec<Point>,
+    /// Regions, each named by a point in it.
+    pub regions: Vec<Region>,
+    /// Which triangles belong to the domain, unless the user knows better: the hull if there are no
+    /// segments, or lines without polygons; `Carve` for the segments of a `.poly` file, as Triangle
+    /// has it; `EvenOdd` for the polygons of GeoJSON and WKT.
+    pub usual_rule: DomainRule,
+}
+
+impl DomainData {
+    /// Moves points, segments and polygons out, for triangulation; holes and regions are copied.
+    ///
+    /// What stays are the attributes and markers that the result is to inherit.
+    pub fn take_pslg(&mut self) -> Pslg {
+        Pslg {
+            points: std::mem::take(&mut self.vertices.points),
+            segments: std::mem::take(&mut self.segments),
+            polygons: std::mem::take(&mut self.polygons),
+            holes: self.holes.clone(),
+            regions: self.regions.clone(),
+        }
+    }
+}
+
+impl From<PointSet> for DomainData {
+    /// Makes a domain without segments.
+    fn from(vertices: PointSet) -> Self {
+        Self {
+            vertices,
+            ..Self::default()
+        }
+    }
+}
+
+impl From<Pslg> for DomainData {
+    /// Takes over a graph; its usual rule is that of its polygons, if there are any, otherwise that
+    /// of a `.poly` file.
+    fn from(pslg: Pslg) -> Self {
+        let usual_rule = match (pslg.segments.is_empty(), pslg.polygons.is_empty()) {
+            (true, _) => DomainRule::Hull,
+            (false, true) => DomainRule::Carve,
+            (false, false) => DomainRule::EvenOdd,
+        };
+        Self {
+            vertices: PointSet {
+                points: pslg.points,
+                ..PointSet::default()
+            },
+            segments: pslg.segments,
+            segment_markers: None,
+            polygons: pslg.polygons,
+            holes: pslg.holes,
+            regions: pslg.regions,
+            usual_rule,
+        }
+    }
+}
+
+/// Reads a domain: points with all that a file says about the segments between them.
+///
+/// Every format of points is one of domains too, without segments.
+///
+/// # Errors
+/// If the file cannot be read, is malformed (message with file and line), or the watch cancels.
+///
+/// *Cost*: time and memory proportional to the file.
+pub fn read_domain(
+    source: &Source,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<DomainData, Error> {
+    let bytes = source.load(watch)?;
+    let format = resolve(source, &bytes, options, Format::reads_points)?;
+    read_loaded(source, &bytes, format, options, watch)
+}
+
+/// Reads a domain from the content of a source, whose format is known.
+pub(crate) fn read_loaded(
+    source: &Source,
+    bytes: &[u8],
+    format: Format,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<DomainData, Error> {
+    let file = source.to_string();
+    match format {
+        Format::Poly => poly::read_domain(&file, bytes, watch, || {
+            read_sibling(source, format, "node", options, watch)
+        }),
+        _ => points::read_loaded(source, bytes, format, options, watch).map(DomainData::from),
+    }
+}
