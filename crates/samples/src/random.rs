@@ -18,6 +18,14 @@ impl Random {
         Self { state: seed }
     }
 
+    /// Starts the stream of `seed` for the sample called `name`: two samples never share a stream.
+    pub(crate) fn named(name: &str, seed: u64) -> Self {
+        let salt = name.bytes().fold(0, |hash: u64, byte| {
+            hash.wrapping_mul(257) + u64::from(byte)
+        });
+        Self::new(Self::new(seed).bits() ^ salt)
+    }
+
     /// Draws 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
