@@ -39,7 +39,7 @@ impl Convert {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         // A name that will not do is refused before anything is read.
-        self.outputs(Content::Either)?;
+        self.outputs(Content::Any)?;
         let input = self.reading.open(&self.input)?;
         let progress = Progress::new(quiet);
         let brings_mesh = !self.points && input.brings_triangles();

@@ -6,7 +6,7 @@ mod input;
 use crate::exit::Failure;
 use crate::progress::Progress;
 use delone_io::{
-    Attribute, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
+    Attribute, DomainData, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
 };
 use family::Member;
 pub use input::{Input, Reading};
@@ -84,13 +84,13 @@ impl Outputs {
         Ok(())
     }
 
-    fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
-        let refusal = match format {
+    fn add_stream(&mut self, format: Format, content: Content) -> Result<(), Failure> {
+        let refusal = match (format, content) {
             _ if self.stream.is_some() => {
                 "only one output can go to standard output; give the others a name"
             }
-            Format::Poly => {
-                "standard output takes one file, and no .poly is written: use node or ele"
+            (Format::Poly, Content::Mesh) => {
+                "standard output takes one file, and a .poly alone is no mesh: use node or ele"
             }
             _ => {
                 self.stream = Some(Target::from_arg("-", Some(format)));
@@ -106,10 +106,12 @@ impl Outputs {
 pub enum Content {
     /// Points alone.
     Points,
+    /// Points and segments, holes and regions.
+    Domain,
     /// Points and triangles.
     Mesh,
-    /// Points or a mesh, as the input will tell.
-    Either,
+    /// Points, a domain or a mesh, as the input will tell.
+    Any,
     /// A picture.
     Picture,
 }
@@ -118,8 +120,9 @@ impl Content {
     fn fits(self, format: Format) -> bool {
         match self {
             Self::Points => format.writes_points(),
+            Self::Domain => format.writes_domain(),
             Self::Mesh => format.writes_mesh(),
-            Self::Either => format.writes_points() || format.writes_mesh(),
+            Self::Any => format.writes_points() || format.writes_domain() || format.writes_mesh(),
             Self::Picture => format.is_picture(),
         }
     }
@@ -127,8 +130,9 @@ impl Content {
     fn name(self) -> &'static str {
         match self {
             Self::Points => "points",
+            Self::Domain => "a domain",
             Self::Mesh => "a mesh",
-            Self::Either => "points or a mesh",
+            Self::Any => "points or a mesh",
             Self::Picture => "a picture",
         }
     }
@@ -165,7 +169,7 @@ impl Writing {
             };
             // A family of files cannot stand beside a device, so both names mean the stream.
             if path == Path::new("-") || path == Path::new("/dev/stdout") {
-                outputs.add_stream(format)?;
+                outputs.add_stream(format, content)?;
             } else {
                 let members = family::members(&path, format, content);
                 outputs.add_file(Target::from_arg(path, Some(format)), members)?;
@@ -181,7 +185,7 @@ impl Writing {
             return Err(content.misfit(Path::new("-"), Some(format)));
         }
         let mut outputs = Outputs::default();
-        outputs.add_stream(format)?;
+        outputs.add_stream(format, content)?;
         Ok(outputs)
     }
 
@@ -225,6 +229,19 @@ impl Writing {
         progress.note(&outputs.losses(points.markers.is_some(), &[]));
         write(outputs, |targets| {
             delone_io::write_points(targets, points, &options, progress)
+        })
+    }
+
+    /// Writes a domain and returns the names of the files.
+    pub fn domain(
+        &self,
+        outputs: &Outputs,
+        domain: &DomainData,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = self.options();
+        write(outputs, |targets| {
+            delone_io::write_domain(targets, domain, &options, progress)
         })
     }
 

@@ -1,14 +1,16 @@
-//! The program `delone`: points in, a checked triangulation and its picture out.
+//! The program `delone`: points and segments in, a checked triangulation and its picture out.
 
 mod check;
 mod cli;
 mod convert;
+mod domain;
 mod exit;
 mod files;
 mod interrupt;
 mod memory;
 mod progress;
 mod sample;
+mod stopwatch;
 mod timing;
 mod triangulate;
 mod words;

@@ -36,9 +36,16 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         (
             Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly,
             Content::Mesh,
-        ) => [Format::Node, Format::Ele, Format::Edge, Format::Neigh]
-            .map(|f| sibling(f.name(), Part::Whole(f)))
-            .into(),
+        ) => [
+            Format::Node,
+            Format::Ele,
+            Format::Edge,
+            Format::Neigh,
+            // Written if there are segments.
+            Format::Poly,
+        ]
+        .map(|f| sibling(f.name(), Part::Whole(f)))
+        .into(),
         _ => vec![whole(Part::Whole(format))],
     }
 }

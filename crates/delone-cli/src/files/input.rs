@@ -3,7 +3,7 @@
 use super::unreadable;
 use crate::exit::Failure;
 use crate::progress::Progress;
-use delone_io::{Column, Error, Format, MeshData, PointSet, ReadOptions, Source};
+use delone_io::{Column, DomainData, Error, Format, MeshData, PointSet, ReadOptions, Source};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -198,13 +198,27 @@ impl Input {
                 (self.read(&self.source, progress)?, unused)
             }
         };
-        if !set.left_out.is_empty() {
-            let columns = set.left_out.join(", ");
-            unused.push(format!("left out, because they hold no numbers: {columns}"));
+        unused.extend(columns_left_out(&set));
+        Ok((set, self.named(unused)))
+    }
+
+    /// Reads the points with what the input says about segments, and says in words what is left
+    /// unused of the rest.
+    pub fn domain(&self, progress: &Progress) -> Result<(DomainData, Vec<String>), Failure> {
+        if self.brings_triangles() {
+            let (points, unused) = self.points(progress)?;
+            return Ok((points.into(), unused));
         }
+        let domain = delone_io::read_domain(&self.source, &self.options, progress);
+        let domain = domain.map_err(unreadable)?;
+        let unused = columns_left_out(&domain.vertices).into_iter().collect();
+        Ok((domain, self.named(unused)))
+    }
+
+    fn named(&self, unused: Vec<String>) -> Vec<String> {
         let name = self.name();
         let unused = unused.iter().map(|what| format!("{name}: {what}"));
-        Ok((set, unused.collect()))
+        unused.collect()
     }
 
     fn points_of_mesh(&self, progress: &Progress) -> Result<(PointSet, Vec<String>), Failure> {
@@ -232,6 +246,12 @@ impl Input {
             _ => None,
         }
     }
+}
+
+fn columns_left_out(set: &PointSet) -> Option<String> {
+    let columns = set.left_out.join(", ");
+    let says = || format!("left out, because they hold no numbers: {columns}");
+    (!columns.is_empty()).then(says)
 }
 
 /// Tells whether the head of an array declares integers in rows of three.

@@ -178,7 +178,10 @@ fn soundings(lake: &Sheet, random: &mut Random) -> Vec<[f64; 2]> {
         .map(|place| [0, 1].map(|k| origin[k] + SPACING * f64::from(place[k]) + jitter()))
         .collect();
     let is_free = |p: &[f64; 2]| lake.points.iter().all(|&q| distance(*p, q) > SPACING / 2.0);
-    let in_water = jittered.into_iter().filter(is_free).filter(|p| is_wet(lake, *p));
+    let in_water = jittered
+        .into_iter()
+        .filter(is_free)
+        .filter(|p| is_wet(lake, *p));
     rounded(in_water.collect()).collect()
 }
 

@@ -1,8 +1,8 @@
 //! Domains of one size, each there to show something.
 
 use super::{grid, lake, thesis};
-use delone::{DomainRule, Point, Region, VertexId};
-use delone_io::{DomainData, PointSet};
+use delone::{Point, Pslg, Region, VertexId};
+use delone_io::DomainData;
 use std::fmt;
 
 /// A domain to try things on.
@@ -104,24 +104,22 @@ impl Sheet {
     }
 
     fn finish(self) -> DomainData {
+        let vertex = |v: u32| VertexId::new(v as usize);
+        let segments = self.segments.into_iter().map(|ends| ends.map(vertex));
         let region = |(at, attribute): ([f64; 2], f64)| Region {
             at: at.into(),
             attribute,
             max_area: None,
         };
-        DomainData {
-            vertices: PointSet {
-                points: self.points.into_iter().map(Point::from).collect(),
-                ..PointSet::default()
-            },
-            segments: (self.segments.into_iter())
-                .map(|ends| ends.map(|v| VertexId::new(v as usize)))
-                .collect(),
-            segment_markers: Some(self.markers),
+        let pslg = Pslg {
+            segments: segments.collect(),
             holes: self.holes.into_iter().map(Point::from).collect(),
             regions: self.regions.into_iter().map(region).collect(),
-            usual_rule: DomainRule::Carve,
-            ..DomainData::default()
+            ..Pslg::from_points(self.points)
+        };
+        DomainData {
+            segment_markers: Some(self.markers),
+            ..pslg.into()
         }
     }
 }

@@ -1,0 +1,45 @@
+//! Options about segments and what lies between them.
+
+use clap::ValueEnum;
+use delone::{DomainRule, SegmentPolicy};
+
+/// What to do where segments cross.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Crossings {
+    /// refuse, and name both segments
+    #[default]
+    Error,
+    /// cut both, and add a vertex there
+    Split,
+}
+
+/// Which triangles are kept.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Rule {
+    /// all of the convex hull
+    Hull,
+    /// what the outside cannot reach across segments
+    Carve,
+    /// what lies behind an odd number of segments: rings in rings are holes
+    #[value(name = "evenodd")]
+    EvenOdd,
+}
+
+impl From<Crossings> for SegmentPolicy {
+    fn from(crossings: Crossings) -> Self {
+        match crossings {
+            Crossings::Error => Self::Error,
+            Crossings::Split => Self::Split,
+        }
+    }
+}
+
+impl From<Rule> for DomainRule {
+    fn from(rule: Rule) -> Self {
+        match rule {
+            Rule::Hull => Self::Hull,
+            Rule::Carve => Self::Carve,
+            Rule::EvenOdd => Self::EvenOdd,
+        }
+    }
+}
