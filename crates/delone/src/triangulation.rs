@@ -15,12 +15,15 @@ pub struct Duplicate {
 
 /// A triangulation of a point set: vertex `i` is point `i` of the input.
 ///
-/// Faces `0..num_triangles()` of the [mesh](Self::mesh) are the triangles, the others are ghosts.
+/// Faces `0..num_triangles()` of the [mesh](Self::mesh) are the triangles. Behind them come, for a
+/// domain, those that were carved away, and then the ghosts.
 #[derive(Clone, Debug)]
 pub struct Triangulation {
     points: Vec<Point>,
     mesh: Mesh,
     num_triangles: usize,
+    /// Triangles, and finite faces that do not belong to the domain.
+    num_finite: usize,
     duplicates: Vec<Duplicate>,
     outgoing: OnceLock<Vec<Option<HalfEdgeId>>>,
 }
@@ -34,12 +37,24 @@ impl Triangulation {
         num_triangles: usize,
         duplicates: Vec<Duplicate>,
     ) -> Self {
-        debug_assert!(num_triangles <= mesh.num_faces());
+        Self::of_domain(points, mesh, num_triangles, num_triangles, duplicates)
+    }
+
+    /// As [`from_parts`](Self::from_parts), with faces `num_triangles..num_finite` carved away.
+    pub(crate) fn of_domain(
+        points: Vec<Point>,
+        mesh: Mesh,
+        num_triangles: usize,
+        num_finite: usize,
+        duplicates: Vec<Duplicate>,
+    ) -> Self {
+        debug_assert!(num_triangles <= num_finite && num_finite <= mesh.num_faces());
         debug_assert!(duplicates.is_sorted_by_key(|d| d.dropped));
         Self {
             points,
             mesh,
             num_triangles,
+            num_finite,
             duplicates,
             outgoing: OnceLock::new(),
         }
@@ -74,20 +89,47 @@ impl Triangulation {
         self.num_triangles
     }
 
-    /// Counts the edges between finite vertices.
+    /// Counts the edges between finite vertices; if something was carved away, those of triangles.
+    ///
+    /// *Cost*: O(n) if something was carved away, else constant.
     pub fn num_edges(&self) -> usize {
         match self.num_vertices() {
             0 => 0,
+            _ if self.is_carved() => (3 * self.num_triangles + self.num_boundary_edges()) / 2,
             n => n - 1 + self.num_triangles,
         }
+    }
+
+    /// Counts the edges with a triangle on one side only; if all points lie on one line, all edges.
+    ///
+    /// *Cost*: O(n) if something was carved away, else constant.
+    pub fn num_boundary_edges(&self) -> usize {
+        if !self.is_carved() {
+            return self.num_hull_edges();
+        }
+        let triangles = (0..self.num_triangles).map(TriangleId::new);
+        let half_edges = triangles.flat_map(TriangleId::half_edges);
+        half_edges
+            .filter(|&h| !self.is_inside(self.mesh.twin(h)))
+            .count()
+    }
+
+    /// Tells whether some of the convex hull has been carved away.
+    pub fn is_carved(&self) -> bool {
+        self.num_triangles < self.num_finite
+    }
+
+    /// Tells whether the face of `h` is one of the triangles.
+    fn is_inside(&self, h: HalfEdgeId) -> bool {
+        h.triangle().index() < self.num_triangles
     }
 
     /// Counts the edges on the boundary of the convex hull.
     ///
     /// If all points lie on one line, every edge counts, once.
     pub fn num_hull_edges(&self) -> usize {
-        let ghosts = self.mesh.num_faces() - self.num_triangles;
-        if self.num_triangles == 0 {
+        let ghosts = self.mesh.num_faces() - self.num_finite;
+        if self.num_finite == 0 {
             ghosts / 2
         } else {
             ghosts
@@ -100,19 +142,22 @@ impl Triangulation {
     }
 
     /// Returns the neighbours of triangle `t`; neighbour `i` lies opposite corner `i`, `None` is
-    /// outside the hull.
+    /// outside.
     pub fn neighbors(&self, t: TriangleId) -> [Option<TriangleId>; 3] {
         t.half_edges().map(|h| {
-            let neighbor = self.mesh.twin(h).triangle();
-            (neighbor.index() < self.num_triangles).then_some(neighbor)
+            let twin = self.mesh.twin(h);
+            self.is_inside(twin).then(|| twin.triangle())
         })
     }
 
-    /// Visits every edge once, as origin and destination.
+    /// Visits every edge once, as origin and destination; if something was carved away, those of
+    /// triangles.
     pub fn edges(&self) -> impl Iterator<Item = [VertexId; 2]> + '_ {
         self.mesh.half_edges().filter_map(|h| {
             let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
-            (h < self.mesh.twin(h) && !a.is_infinite() && !b.is_infinite()).then_some([a, b])
+            let twin = self.mesh.twin(h);
+            let is_kept = !self.is_carved() || self.is_inside(h) || self.is_inside(twin);
+            (h < twin && is_kept && !a.is_infinite() && !b.is_infinite()).then_some([a, b])
         })
     }
 
@@ -121,8 +166,8 @@ impl Triangulation {
     /// If all points lie on one line, the walk goes along it and back. Empty for fewer than two
     /// distinct points.
     pub fn hull(&self) -> impl Iterator<Item = VertexId> + '_ {
-        let first = (self.num_triangles < self.mesh.num_faces())
-            .then(|| self.mesh.hull_edge_of(TriangleId::new(self.num_triangles)));
+        let first = (self.num_finite < self.mesh.num_faces())
+            .then(|| self.mesh.hull_edge_of(TriangleId::new(self.num_finite)));
         first
             .into_iter()
             .flat_map(|h| self.mesh.hull(h))

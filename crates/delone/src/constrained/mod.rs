@@ -1,18 +1,36 @@
 //! The canonical constrained Delaunay triangulation of a domain.
 
+mod build;
+mod carve;
+mod corridor;
+mod draft;
+mod export;
+mod input;
+mod insert;
+mod names;
+mod polygons;
 mod result;
+mod seeds;
+mod segments;
+mod side;
 
 pub use result::{ConstrainedTriangulation, Origin, Warning};
 
-use crate::{DomainRule, Error, Pslg, SegmentPolicy, Watch};
+use crate::{DomainRule, Error, Pslg, SegmentPolicy, Watch, parallel};
 
 /// How to triangulate a domain.
 #[derive(Clone, Copy)]
 pub struct ConstrainedDelaunay<'w> {
-    crossings: SegmentPolicy,
-    domain: DomainRule,
+    options: Options,
     threads: Option<usize>,
     watch: &'w dyn Watch,
+}
+
+/// What decides about the result.
+#[derive(Clone, Copy, Default)]
+struct Options {
+    crossings: SegmentPolicy,
+    domain: DomainRule,
 }
 
 impl Default for ConstrainedDelaunay<'_> {
@@ -25,8 +43,7 @@ impl<'w> ConstrainedDelaunay<'w> {
     /// Refuses crossings, keeps the convex hull, uses every thread of the machine, unwatched.
     pub fn new() -> Self {
         Self {
-            crossings: SegmentPolicy::default(),
-            domain: DomainRule::default(),
+            options: Options::default(),
             threads: None,
             watch: &(),
         }
@@ -34,18 +51,20 @@ impl<'w> ConstrainedDelaunay<'w> {
 
     /// Chooses what to do where segments cross.
     pub fn crossings(self, policy: SegmentPolicy) -> Self {
-        Self {
+        let options = Options {
             crossings: policy,
-            ..self
-        }
+            ..self.options
+        };
+        Self { options, ..self }
     }
 
     /// Chooses which triangles belong to the domain.
     pub fn domain(self, rule: DomainRule) -> Self {
-        Self {
+        let options = Options {
             domain: rule,
-            ..self
-        }
+            ..self.options
+        };
+        Self { options, ..self }
     }
 
     /// Uses `threads` threads (0 means 1); the result is the same for any number.
@@ -64,9 +83,22 @@ impl<'w> ConstrainedDelaunay<'w> {
     }
 
     /// Triangulates a domain.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::SeedNotFinite`], [`Error::BadSegment`], [`Error::BadPolygon`] and
+    /// [`Error::OpenPolygon`] name what is wrong with the input; [`Error::Crossing`] two segments that
+    /// cross, unless they are to be split; [`Error::SeedOnSegment`] a hole or region whose seed does not
+    /// say on which side it is. [`Error::TooManyPoints`] (crossings included) and
+    /// [`Error::TooManySegments`] if ids would not fit 32 bits; [`Error::Cancelled`] if the watch says
+    /// so; [`Error::Threads`] if they cannot be started.
     pub fn triangulate(self, pslg: Pslg) -> Result<ConstrainedTriangulation, Error> {
-        let _ = (self.crossings, self.domain, self.threads, self.watch);
-        let _ = pslg;
-        todo!()
+        let Self {
+            options,
+            threads,
+            watch,
+        } = self;
+        parallel::with_workers(threads, |workers| {
+            build::build(pslg, options, workers, watch)
+        })?
     }
 }

@@ -2,7 +2,7 @@
 
 use super::divide::Divide;
 use super::export;
-use super::frame::Frame;
+use super::frame::{Frame, split_power};
 use super::input::{self, Class, Extent};
 use super::order::{Ordered, Radix, order};
 use super::sheet::Sheet;
@@ -15,7 +15,7 @@ const MAX_POINTS: usize = (u32::MAX / 6) as usize;
 const _: () = assert!(6 * MAX_POINTS < u32::MAX as usize);
 
 /// Refuses more points than ids can number.
-pub(super) fn check_number(given: usize) -> Result<(), Error> {
+pub(crate) fn check_number(given: usize) -> Result<(), Error> {
     let limit = MAX_POINTS;
     if given > limit {
         return Err(Error::TooManyPoints { given, limit });
@@ -29,56 +29,112 @@ pub(super) fn build(
     workers: Workers,
     watch: &dyn Watch,
 ) -> Result<Triangulation, Error> {
-    let chunk = workers.chunk_len(points.len(), 1);
-    let extent = workers
-        .map(points.chunks(chunk).collect(), Extent::of)
-        .into_iter()
-        .fold(Extent::EMPTY, Extent::union);
-    if !extent.is_finite() {
-        return Err(input::first_not_finite(&points).expect("bug: all points are finite"));
-    }
     if points.is_empty() {
         let mesh = Mesh::default();
         return Ok(Triangulation::from_parts(points, mesh, 0, Vec::new()));
     }
-    let result = match extent.class() {
-        Class::Ordinary { scale } => run::<true>(points, extent, scale, workers, watch),
-        Class::Wide => run::<false>(points, extent, 0, workers, watch),
-    };
-    result.ok_or(Error::Cancelled)
+    let curve = Curve::build(&points, workers, watch)?;
+    hand_out(points, curve, workers, watch).ok_or(Error::Cancelled)
 }
 
-/// Triangulates at least one point; with `FILTERED` their coordinates, times 2^`scale`, are ordinary.
-/// `None` if the watch cancelled.
-fn run<const FILTERED: bool>(
-    points: Vec<Point>,
-    extent: Extent,
-    scale: i32,
-    workers: Workers,
-    watch: &dyn Watch,
-) -> Option<Triangulation> {
-    let radix = Radix::for_points(points.len());
-    let frame = Frame::new(extent.min, extent.max, radix.bits);
-    let mut ordered = order(&points, &frame, radix, scale, workers, watch)?;
-    let faces = divide::<FILTERED>(&mut ordered, &frame, workers, watch)?;
-    hand_out(points, &ordered, faces, workers, watch)
-}
-
-/// Faces in the numbering of the curve, triangles first.
-struct Faces {
+/// A Delaunay triangulation in the numbering of the space-filling curve: neighbours in the plane are
+/// neighbours in memory, which is where to go on working on it.
+pub(crate) struct Curve {
+    ordered: Ordered,
+    /// Triangles first, ghosts behind them; the vertex at infinity is the number of points.
     corners: Vec<[VertexId; 3]>,
     twins: Vec<[HalfEdgeId; 3]>,
     triangles: usize,
     /// Whether equal points have been merged.
     has_merged: bool,
+    /// The points have been multiplied by 2 to this power.
+    scale: i32,
+}
+
+impl Curve {
+    /// Triangulates at least one point, whose number has been checked.
+    pub(crate) fn build(
+        points: &[Point],
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Result<Self, Error> {
+        let chunk = workers.chunk_len(points.len(), 1);
+        let extent = workers
+            .map(points.chunks(chunk).collect(), Extent::of)
+            .into_iter()
+            .fold(Extent::EMPTY, Extent::union);
+        if !extent.is_finite() {
+            return Err(input::first_not_finite(points).expect("bug: all points are finite"));
+        }
+        let curve = match extent.class() {
+            Class::Ordinary { scale } => run::<true>(points, extent, scale, workers, watch),
+            Class::Wide => run::<false>(points, extent, 0, workers, watch),
+        };
+        curve.ok_or(Error::Cancelled)
+    }
+
+    /// Takes the triangulation apart for further work.
+    pub(crate) fn into_parts(self) -> CurveParts {
+        let infinite = VertexId::new(self.ordered.points.len() - 1);
+        let mut corners = self.corners;
+        for v in corners[self.triangles..].as_flattened_mut() {
+            if *v == infinite {
+                *v = VertexId::INFINITE;
+            }
+        }
+        let Ordered {
+            mut points,
+            mut keys,
+        } = self.ordered;
+        points.pop();
+        keys.pop();
+        if self.scale != 0 {
+            let [a, b] = split_power(-self.scale);
+            for p in &mut points {
+                *p = Point::new(p.x * a * b, p.y * a * b);
+            }
+        }
+        CurveParts {
+            points,
+            keys,
+            mesh: Mesh::from_rows(corners, self.twins),
+        }
+    }
+}
+
+/// What a [`Curve`] consists of.
+pub(crate) struct CurveParts {
+    /// The points in the order of the curve; NaN if merged into another.
+    pub points: Vec<Point>,
+    /// For each point in its low half its index in the caller's numbering; for a merged one in the
+    /// high half the index of the point that stands for it.
+    pub keys: Vec<u64>,
+    /// Triangles first, ghosts behind them.
+    pub mesh: Mesh,
+}
+
+/// Triangulates at least one point; with `FILTERED` their coordinates, times 2^`scale`, are ordinary.
+/// `None` if the watch cancelled.
+fn run<const FILTERED: bool>(
+    points: &[Point],
+    extent: Extent,
+    scale: i32,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Curve> {
+    let radix = Radix::for_points(points.len());
+    let frame = Frame::new(extent.min, extent.max, radix.bits);
+    let ordered = order(points, &frame, radix, scale, workers, watch)?;
+    let curve = divide::<FILTERED>(ordered, &frame, workers, watch)?;
+    Some(Curve { scale, ..curve })
 }
 
 fn divide<const FILTERED: bool>(
-    ordered: &mut Ordered,
+    mut ordered: Ordered,
     frame: &Frame,
     workers: Workers,
     watch: &dyn Watch,
-) -> Option<Faces> {
+) -> Option<Curve> {
     let n = ordered.points.len() - 1;
     let (mut corners, mut twins) = (reserve(2 * n), reserve(2 * n));
     let rows = (corners.spare_capacity_mut(), twins.spare_capacity_mut());
@@ -103,35 +159,37 @@ fn divide<const FILTERED: bool>(
         corners.shrink_to_fit();
         twins.shrink_to_fit();
     }
-    Some(Faces {
+    Some(Curve {
+        ordered,
         corners,
         twins,
         triangles,
         has_merged,
+        scale: 0,
     })
 }
 
 /// Puts the result together in the caller's numbering.
 fn hand_out(
     points: Vec<Point>,
-    ordered: &Ordered,
-    mut faces: Faces,
+    mut curve: Curve,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<Triangulation> {
     watch.progress(Phase::Export, 0, 1);
-    export::renumber(&mut faces.corners, &ordered.keys, workers, watch)?;
-    let duplicates = if faces.has_merged {
-        export::duplicates(&ordered.points[..points.len()], &ordered.keys)
+    let keys = &curve.ordered.keys;
+    export::renumber(&mut curve.corners, keys, workers, watch)?;
+    let duplicates = if curve.has_merged {
+        export::duplicates(&curve.ordered.points[..points.len()], keys)
     } else {
         Vec::new()
     };
     watch.progress(Phase::Export, 1, 1);
-    let mesh = Mesh::from_rows(faces.corners, faces.twins);
+    let mesh = Mesh::from_rows(curve.corners, curve.twins);
     Some(Triangulation::from_parts(
         points,
         mesh,
-        faces.triangles,
+        curve.triangles,
         duplicates,
     ))
 }

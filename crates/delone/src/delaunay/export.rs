@@ -97,7 +97,7 @@ pub(super) fn renumber(
 }
 
 /// Lists the points that were merged into others, sorted by index.
-pub(super) fn duplicates(points: &[crate::Point], keys: &[u64]) -> Vec<Duplicate> {
+pub(crate) fn duplicates(points: &[crate::Point], keys: &[u64]) -> Vec<Duplicate> {
     let merged = points.iter().zip(keys).filter(|(p, _)| p.x.is_nan());
     let mut list: Vec<_> = merged
         .map(|(_, &key)| Duplicate {

@@ -25,6 +25,8 @@ mod pair;
 mod sheet;
 mod signs;
 
+pub(crate) use bulk::{Curve, CurveParts, check_number};
+pub(crate) use export::duplicates;
 pub use incremental::{Incremental, Inserted};
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
@@ -88,7 +90,7 @@ impl<'w> Delaunay<'w> {
         points: impl IntoIterator<Item = P>,
     ) -> Result<Triangulation, Error> {
         let points: Vec<Point> = points.into_iter().map(Into::into).collect();
-        bulk::check_number(points.len())?;
+        check_number(points.len())?;
         let watch = self.watch;
         parallel::with_workers(self.threads, |workers| bulk::build(points, workers, watch))?
     }

@@ -193,7 +193,7 @@ impl Mesh {
     }
 
     /// Gives `order[i]` the id `i`.
-    fn reorder_faces(&mut self, order: &[TriangleId]) {
+    pub(crate) fn reorder_faces(&mut self, order: &[TriangleId]) {
         let mut new_id = vec![TriangleId::new(0); order.len()];
         for (i, t) in order.iter().enumerate() {
             new_id[t.index()] = TriangleId::new(i);
@@ -231,9 +231,16 @@ impl Mesh {
         }
     }
 
+    /// Gives face `t` other corners and leaves its twins as they are: one step of an edit that
+    /// rebuilds several faces together, [bonds](Self::bond) them and answers for the sphere itself.
+    #[inline]
+    pub(crate) fn replace_face(&mut self, t: TriangleId, corners: [VertexId; 3]) {
+        self.corners[t.index()] = corners;
+    }
+
     /// Makes `h` and `g` each other's twin.
     #[inline]
-    fn bond(&mut self, h: HalfEdgeId, g: HalfEdgeId) {
+    pub(crate) fn bond(&mut self, h: HalfEdgeId, g: HalfEdgeId) {
         self.twins.as_flattened_mut()[h.index()] = g;
         self.twins.as_flattened_mut()[g.index()] = h;
     }

@@ -1,0 +1,145 @@
+//! From the input to the result in one go: triangulate the points, insert the segments, node them
+//! first if they cross, carve, hand out.
+
+use super::carve::carve;
+use super::draft::Draft;
+use super::export::hand_out;
+use super::insert::{Outcome, insert_all};
+use super::names::Names;
+use super::segments::Segments;
+use super::{ConstrainedTriangulation, Options, input};
+use crate::delaunay::{Curve, check_number};
+use crate::parallel::Workers;
+use crate::pslg::{self, Chains, Noding};
+use crate::{DomainRule, Error, Mesh, Point, Pslg, SegmentPolicy, VertexId, Watch};
+
+/// Triangulates a domain.
+pub(super) fn build(
+    mut pslg: Pslg,
+    options: Options,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Result<ConstrainedTriangulation, Error> {
+    input::check(&pslg)?;
+    let (mut draft, mut names) = start(&pslg.points, workers, watch)?;
+    if options.domain == DomainRule::EvenOdd {
+        input::require_closed(&pslg)?;
+    }
+    let edges = names.edges(pslg.segments.iter().copied());
+    let (chains, crossings) = match insert_all(&mut draft, &edges, workers, watch) {
+        Outcome::Cancelled => return Err(Error::Cancelled),
+        Outcome::Done(cuts) => (names.chains_of_cuts(&pslg.segments, cuts), Vec::new()),
+        Outcome::Blocked => {
+            drop((draft, edges));
+            let noding = node(&pslg, &names, options.crossings, workers, watch)?;
+            pslg.points.extend(noding.points);
+            (draft, names) = start(&pslg.points, workers, watch)?;
+            insert_noded(
+                &mut draft,
+                &names,
+                &pslg.segments,
+                &noding.chains,
+                workers,
+                watch,
+            )?;
+            (noding.chains, noding.crossings)
+        }
+    };
+    let segments = Segments {
+        ends: &pslg.segments,
+        chains: &chains,
+        polygons: &pslg.polygons,
+        positions: &names.positions,
+    };
+    let seeds = (&pslg.holes[..], &pslg.regions[..]);
+    let carving = carve(&draft, options.domain, &segments, seeds, watch)?;
+    hand_out(pslg, draft, names, carving, (chains, crossings), watch)
+}
+
+/// Triangulates the points, with nothing constrained yet.
+fn start(points: &[Point], workers: Workers, watch: &dyn Watch) -> Result<(Draft, Names), Error> {
+    check_number(points.len())?;
+    if points.is_empty() {
+        return Ok((Draft::new(Vec::new(), Mesh::default()), Names::default()));
+    }
+    let curve = Curve::build(points, workers, watch)?.into_parts();
+    let names = Names::of(&curve);
+    Ok((Draft::new(curve.points, curve.mesh), names))
+}
+
+/// Cuts the segments of positive length where they cross, or refuses to.
+fn node(
+    pslg: &Pslg,
+    names: &Names,
+    policy: SegmentPolicy,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Result<Noding, Error> {
+    let vertices = names.vertices();
+    let ends = pslg.segments.iter();
+    let ends: Vec<_> = ends
+        .map(|ends| ends.map(|v| names.representative(v)))
+        .collect();
+    let proper: Vec<usize> = (0..ends.len())
+        .filter(|&i| ends[i][0] != ends[i][1])
+        .collect();
+    let segments: Vec<[VertexId; 2]> = proper.iter().map(|&i| ends[i]).collect();
+    match policy {
+        SegmentPolicy::Error => {
+            let found = pslg::first_crossing(&pslg.points, &vertices, &segments, workers, watch);
+            let crossing = found.ok_or(Error::Cancelled)?;
+            let (pair, at) = crossing.expect("bug: a segment was blocked by none that it crosses");
+            let segments = pair.map(|i| proper[i]);
+            Err(Error::Crossing { segments, at })
+        }
+        SegmentPolicy::Split => {
+            let noding = pslg::node(&pslg.points, &vertices, &segments, workers, watch);
+            let noding = noding.ok_or(Error::Cancelled)?;
+            Ok(in_terms_of_all(noding, &proper, names, &pslg.segments))
+        }
+    }
+}
+
+/// Renumbers the segments of a noding, which knows those of positive length only.
+fn in_terms_of_all(
+    noding: Noding,
+    proper: &[usize],
+    names: &Names,
+    segments: &[[VertexId; 2]],
+) -> Noding {
+    let mut cut = noding.chains.iter().peekable();
+    let chains = names.chains(segments, |segment, _| {
+        let of_this = cut.next_if(|&(i, _)| proper[i] == segment);
+        of_this.map_or_else(Vec::new, |(_, chain)| chain[1..chain.len() - 1].to_vec())
+    });
+    let crossings = noding.crossings.iter();
+    let crossings = crossings.map(|pair| pair.map(|i| proper[i as usize] as u32));
+    Noding {
+        crossings: crossings.collect(),
+        chains,
+        points: noding.points,
+    }
+}
+
+/// Inserts segments that meet only at shared ends.
+fn insert_noded(
+    draft: &mut Draft,
+    names: &Names,
+    segments: &[[VertexId; 2]],
+    chains: &Chains,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Result<(), Error> {
+    let chain = |(i, ends)| chains.get(i).unwrap_or(ends);
+    let all = segments.iter().enumerate().map(|(i, ends)| (i, &ends[..]));
+    let edges = all
+        .flat_map(|segment| chain(segment).windows(2))
+        .map(|pair| [pair[0], pair[1]]);
+    match insert_all(draft, &names.edges(edges), workers, watch) {
+        Outcome::Done(cuts) if cuts.is_empty() => Ok(()),
+        Outcome::Cancelled => Err(Error::Cancelled),
+        Outcome::Done(_) | Outcome::Blocked => {
+            unreachable!("bug: noded segments meet inside of one")
+        }
+    }
+}

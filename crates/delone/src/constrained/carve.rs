@@ -1,0 +1,218 @@
+//! Which triangles belong to the domain, and to which region: floods that stop at segments.
+
+use super::draft::Draft;
+use super::seeds::{Locator, Place};
+use super::segments::Segments;
+use super::{Warning, polygons};
+use crate::{DomainRule, Error, Phase, Point, Region, Seed, TriangleId, Watch};
+
+/// What the floods found out about each face.
+pub(super) struct Carving {
+    /// Whether a face lies outside the domain; ghosts do.
+    pub outside: Vec<bool>,
+    /// For each face one more than its region, or 0; empty if there are no regions.
+    pub region_of: Vec<u32>,
+    pub warnings: Vec<Warning>,
+}
+
+/// Carves the domain and its holes out of the hull and finds its regions.
+///
+/// *Cost*: linear in the faces, plus a location for each seed.
+pub(super) fn carve(
+    draft: &Draft,
+    rule: DomainRule,
+    segments: &Segments,
+    seeds: (&[Point], &[Region]),
+    watch: &dyn Watch,
+) -> Result<Carving, Error> {
+    watch.progress(Phase::Carve, 0, 2);
+    let mut outside = match rule {
+        DomainRule::Hull => ghosts(draft),
+        DomainRule::Carve => reach_from_outside(draft),
+        DomainRule::EvenOdd if segments.are_taken_together() => odd_depth(draft),
+        DomainRule::EvenOdd => polygons::outside_union(draft, segments),
+    };
+    require_patience(watch)?;
+    watch.progress(Phase::Carve, 1, 2);
+    let mut warnings = Vec::new();
+    let places = Places {
+        draft,
+        locator: Locator::new(draft),
+        segments,
+        watch,
+    };
+    places.carve_holes(rule, seeds.0, &mut outside, &mut warnings)?;
+    let is_empty = !outside.contains(&false);
+    if is_empty && rule != DomainRule::Hull {
+        warnings.push(Warning::Empty);
+    }
+    let region_of = places.find_regions(seeds.1, &outside, &mut warnings)?;
+    watch.progress(Phase::Carve, 2, 2);
+    Ok(Carving {
+        outside,
+        region_of,
+        warnings,
+    })
+}
+
+fn require_patience(watch: &dyn Watch) -> Result<(), Error> {
+    if watch.is_cancelled() {
+        return Err(Error::Cancelled);
+    }
+    Ok(())
+}
+
+fn ghosts(draft: &Draft) -> Vec<bool> {
+    let faces = draft.mesh.faces();
+    faces
+        .iter()
+        .map(|f| f.iter().any(|v| v.is_infinite()))
+        .collect()
+}
+
+/// Marks what can be reached from outside without crossing a segment.
+fn reach_from_outside(draft: &Draft) -> Vec<bool> {
+    let mut reached = vec![false; draft.mesh.num_faces()];
+    for ghost in draft.mesh.ghosts() {
+        flood(draft, ghost, |t| {
+            !std::mem::replace(&mut reached[t.index()], true)
+        });
+    }
+    reached
+}
+
+/// Marks the faces from which the outside is an even number of segments away, on the shortest way: a
+/// breadth-first search by levels.
+fn odd_depth(draft: &Draft) -> Vec<bool> {
+    let faces = draft.mesh.num_faces();
+    let mut seen = vec![false; faces];
+    let mut outside = vec![false; faces];
+    let (mut level, mut is_even): (Vec<TriangleId>, bool) = (draft.mesh.ghosts().collect(), true);
+    let (mut stack, mut next) = (Vec::new(), Vec::new());
+    while !level.is_empty() {
+        for start in level.drain(..) {
+            if !std::mem::replace(&mut seen[start.index()], true) {
+                stack.push(start);
+            }
+            while let Some(t) = stack.pop() {
+                outside[t.index()] = is_even;
+                for h in t.half_edges() {
+                    let neighbor = draft.mesh.twin(h).triangle();
+                    if seen[neighbor.index()] {
+                        continue;
+                    }
+                    if draft.marks.is_odd(h) {
+                        next.push(neighbor);
+                    } else {
+                        seen[neighbor.index()] = true;
+                        stack.push(neighbor);
+                    }
+                }
+            }
+        }
+        std::mem::swap(&mut level, &mut next);
+        is_even = !is_even;
+    }
+    outside
+}
+
+/// Visits the faces that no segment separates from `start`; `enter` says whether a face is new.
+pub(super) fn flood(draft: &Draft, start: TriangleId, mut enter: impl FnMut(TriangleId) -> bool) {
+    let mut stack = Vec::new();
+    if enter(start) {
+        stack.push(start);
+    }
+    while let Some(t) = stack.pop() {
+        for h in t.half_edges() {
+            let neighbor = draft.mesh.twin(h).triangle();
+            if !draft.marks.is_constrained(h) && enter(neighbor) {
+                stack.push(neighbor);
+            }
+        }
+    }
+}
+
+/// Finds the places of seeds, and refuses those on segments.
+struct Places<'a> {
+    draft: &'a Draft,
+    locator: Locator<'a>,
+    segments: &'a Segments<'a>,
+    watch: &'a dyn Watch,
+}
+
+impl Places<'_> {
+    fn triangle_of(&self, seed: Seed, at: Point) -> Result<Option<TriangleId>, Error> {
+        require_patience(self.watch)?;
+        match self.locator.place(at) {
+            Place::In(t) => Ok(Some(t)),
+            Place::On(h) => Err(Error::SeedOnSegment {
+                seed,
+                at,
+                segment: self.segments.first_along(self.draft, h),
+            }),
+            Place::Outside => Ok(None),
+        }
+    }
+
+    fn carve_holes(
+        &self,
+        rule: DomainRule,
+        holes: &[Point],
+        outside: &mut [bool],
+        warnings: &mut Vec<Warning>,
+    ) -> Result<(), Error> {
+        let before: Vec<bool> = if holes.is_empty() {
+            Vec::new()
+        } else {
+            outside.to_vec()
+        };
+        for (hole, &at) in holes.iter().enumerate() {
+            let triangle = self.triangle_of(Seed::Hole(hole), at)?;
+            // The parity rule may have carved it already: then both agree.
+            let is_idle = match triangle {
+                None => true,
+                Some(t) => before[t.index()] && rule != DomainRule::EvenOdd,
+            };
+            if is_idle {
+                warnings.push(Warning::HoleOutside { hole, at });
+            } else if let Some(t) = triangle {
+                // Ghosts count as outside, so no flood leaves the hull.
+                flood(self.draft, t, |t| {
+                    !std::mem::replace(&mut outside[t.index()], true)
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn find_regions(
+        &self,
+        regions: &[Region],
+        outside: &[bool],
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<u32>, Error> {
+        if regions.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut region_of = vec![0; self.draft.mesh.num_faces()];
+        for (region, &Region { at, .. }) in regions.iter().enumerate() {
+            let triangle = self.triangle_of(Seed::Region(region), at)?;
+            match triangle.filter(|t| !outside[t.index()]) {
+                None => warnings.push(Warning::RegionOutside { region, at }),
+                Some(t) if region_of[t.index()] != 0 => warnings.push(Warning::RegionTwice {
+                    region,
+                    first: region_of[t.index()] as usize - 1,
+                }),
+                Some(t) => flood(self.draft, t, |t| {
+                    let of = &mut region_of[t.index()];
+                    let is_new = *of == 0 && !outside[t.index()];
+                    if is_new {
+                        *of = region as u32 + 1;
+                    }
+                    is_new
+                }),
+            }
+        }
+        Ok(region_of)
+    }
+}

@@ -1,0 +1,214 @@
+//! The triangulation while segments go into it: mesh and points in the numbering of the curve, what
+//! is constrained, and one half-edge for each vertex, so that nothing ever has to be searched for.
+
+use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
+use crate::{HalfEdgeId, Mesh, Point, TriangleId, VertexId};
+
+/// Marks a vertex without half-edges: it was merged into another, or is the only one.
+const NOWHERE: HalfEdgeId = HalfEdgeId::new(u32::MAX as usize);
+
+/// A constrained Delaunay triangulation in the making.
+pub(super) struct Draft {
+    pub points: Vec<Point>,
+    pub mesh: Mesh,
+    pub marks: Marks,
+    /// A half-edge that starts at each vertex.
+    outgoing: Vec<HalfEdgeId>,
+}
+
+/// What lies ahead when one looks from a vertex towards a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ahead {
+    /// The edge of this half-edge, which starts at the vertex and runs exactly that way.
+    Along(HalfEdgeId),
+    /// The open edge of this half-edge, opposite the vertex: it starts to the right of the line of
+    /// sight and ends to its left.
+    Across(HalfEdgeId),
+    /// Nothing: the vertex is on the hull, and the point lies on the other side of it.
+    Outside,
+}
+
+impl Draft {
+    /// Takes over a Delaunay triangulation, in which nothing is constrained yet.
+    pub fn new(points: Vec<Point>, mesh: Mesh) -> Self {
+        let mut outgoing = vec![NOWHERE; points.len()];
+        for (t, &[a, b, c]) in mesh.faces().iter().enumerate() {
+            let [bc, ca, ab] = TriangleId::new(t).half_edges();
+            for (v, h) in [(a, ab), (b, bc), (c, ca)] {
+                if !v.is_infinite() {
+                    outgoing[v.index()] = h;
+                }
+            }
+        }
+        let marks = Marks::new(mesh.num_faces());
+        Self {
+            points,
+            mesh,
+            marks,
+            outgoing,
+        }
+    }
+
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.points[v.index()]
+    }
+
+    /// Visits the half-edges that start at `v`, counter-clockwise.
+    pub fn star(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> + '_ {
+        let first = Some(self.outgoing[v.index()]).filter(|&h| h != NOWHERE);
+        first.into_iter().flat_map(|h| self.mesh.star(h))
+    }
+
+    /// Finds the half-edge from `a` to `b`. *Cost*: the degree of `a`.
+    #[inline]
+    pub fn find_edge(&self, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
+        self.star(a).find(|&h| self.mesh.dest(h) == b)
+    }
+
+    /// Looks from vertex `a` towards `goal`, which must be another point.
+    pub fn ahead(&self, a: VertexId, goal: Point) -> Ahead {
+        let from = self.point(a);
+        let side = |v: VertexId| {
+            let is_finite = !v.is_infinite();
+            is_finite.then(|| orient2d(from, goal, self.point(v)))
+        };
+        let towards = from.lex_cmp(&goal);
+        // The side of the vertex that comes next, where it is known already.
+        let mut known = None;
+        for h in self.star(a) {
+            let w = self.mesh.dest(h);
+            match known.take().or_else(|| side(w)) {
+                Some(Orientation::Collinear) if from.lex_cmp(&self.point(w)) == towards => {
+                    return Ahead::Along(h);
+                }
+                Some(Orientation::Right) => {
+                    known = side(self.mesh.apex(h));
+                    if known == Some(Orientation::Left) {
+                        return Ahead::Across(h.next());
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ahead::Outside
+    }
+
+    /// Builds the triangle `corners` in the face of `t`, whose twins are the caller's to bond.
+    #[inline]
+    pub fn set_triangle(&mut self, t: TriangleId, corners: [VertexId; 3]) {
+        self.mesh.replace_face(t, corners);
+        let [a, b, c] = corners;
+        let [bc, ca, ab] = t.half_edges();
+        for (v, h) in [(a, ab), (b, bc), (c, ca)] {
+            self.outgoing[v.index()] = h;
+        }
+        self.marks.clear(t);
+    }
+
+    /// Flips edges until all that `suspects` lead to are locally Delaunay or constrained.
+    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>) {
+        while let Some(h) = suspects.pop() {
+            if self.must_flip(h) {
+                self.flip(h);
+                let g = self.mesh.twin(h.next()).prev();
+                suspects.extend([h, h.prev(), g, g.prev()]);
+            }
+        }
+    }
+
+    fn must_flip(&self, h: HalfEdgeId) -> bool {
+        let g = self.mesh.twin(h);
+        let [c, d] = [self.mesh.apex(h), self.mesh.apex(g)];
+        if self.marks.is_constrained(h) || c.is_infinite() || d.is_infinite() {
+            return false;
+        }
+        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
+        let [a, b, c, d] = [a, b, c, d].map(|v| self.point(v));
+        in_circle_perturbed(a, b, c, d)
+    }
+
+    /// Flips the edge of `h`, and moves the marks of the edges whose half-edges change.
+    fn flip(&mut self, h: HalfEdgeId) {
+        let g = self.mesh.twin(h);
+        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
+        let [bc, ad] = [h.next(), g.next()].map(|edge| self.marks.get(edge));
+        self.mesh.flip(h);
+        self.marks.set(h, ad);
+        self.marks.set(g, bc);
+        self.marks.set(h.next(), Mark::FREE);
+        self.marks.set(g.next(), Mark::FREE);
+        self.outgoing[a.index()] = h;
+        self.outgoing[b.index()] = g;
+    }
+
+    /// Adds a segment that runs along the edge of `h`.
+    #[inline]
+    pub fn constrain(&mut self, h: HalfEdgeId) {
+        self.marks.add_segment(h);
+        self.marks.add_segment(self.mesh.twin(h));
+    }
+
+    /// Tells on which side of the edge of `h` lies `p`; its face lies to the left.
+    pub fn side_of(&self, h: HalfEdgeId, p: Point) -> Orientation {
+        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)].map(|v| self.point(v));
+        orient2d(a, b, p)
+    }
+}
+
+/// What is known of one side of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Mark(u8);
+
+impl Mark {
+    pub const FREE: Self = Self(0);
+}
+
+/// The marks of all half-edges, a byte a face: bit k says that half-edge k is constrained, bit 3 + k
+/// that an odd number of segments runs along it.
+#[derive(Clone, Debug)]
+pub(super) struct Marks(Vec<u8>);
+
+impl Marks {
+    fn new(faces: usize) -> Self {
+        Self(vec![0; faces])
+    }
+
+    #[inline]
+    pub fn is_constrained(&self, h: HalfEdgeId) -> bool {
+        self.get(h).0 & 1 != 0
+    }
+
+    /// Tells whether an odd number of segments runs along the edge.
+    #[inline]
+    pub fn is_odd(&self, h: HalfEdgeId) -> bool {
+        self.get(h).0 & 8 != 0
+    }
+
+    #[inline]
+    pub fn get(&self, h: HalfEdgeId) -> Mark {
+        Mark(self.0[h.triangle().index()] >> h.slot() & 9)
+    }
+
+    #[inline]
+    pub fn set(&mut self, h: HalfEdgeId, mark: Mark) {
+        let byte = &mut self.0[h.triangle().index()];
+        *byte = *byte & !(9 << h.slot()) | mark.0 << h.slot();
+    }
+
+    #[inline]
+    fn add_segment(&mut self, h: HalfEdgeId) {
+        let byte = &mut self.0[h.triangle().index()];
+        *byte = (*byte | 1 << h.slot()) ^ 8 << h.slot();
+    }
+
+    #[inline]
+    fn clear(&mut self, t: TriangleId) {
+        self.0[t.index()] = 0;
+    }
+
+    /// Hands out the bytes of all faces, of which the lower three bits say what is constrained.
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.0
+    }
+}
