@@ -1,7 +1,7 @@
 //! Domains as files hold them, and how they are read.
 
 use crate::points::{self, read_sibling, resolve};
-use crate::{Error, Format, PointSet, ReadOptions, Source, poly};
+use crate::{Error, Format, PointSet, ReadOptions, Source, geojson, poly, wkt};
 use delone::{DomainRule, Point, Pslg, Region, VertexId, Watch};
 use std::ops::Range;
 
@@ -107,6 +107,8 @@ pub(crate) fn read_loaded(
         Format::Poly => poly::read_domain(&file, bytes, watch, || {
             read_sibling(source, format, "node", options, watch)
         }),
+        Format::GeoJson => geojson::read_domain(&file, bytes, watch),
+        Format::Wkt => wkt::read_domain(&file, bytes, watch),
         _ => points::read_loaded(source, bytes, format, options, watch).map(DomainData::from),
     }
 }

@@ -98,16 +98,29 @@ pub enum Error {
 pub enum Place {
     /// On this line, counted from 1.
     Line(u64),
+    /// On this line in this column, both counted from 1, columns in bytes.
+    Column(u64, u64),
     /// At this byte, counted from 0.
     Byte(u64),
     /// In the file as a whole.
     File,
 }
 
+impl Place {
+    /// Tells line and column of a byte in a text.
+    pub(crate) fn in_text(text: &[u8], byte: usize) -> Self {
+        let before = &text[..byte.min(text.len())];
+        let lines = memchr::memchr_iter(b'\n', before).count();
+        let start = memchr::memrchr(b'\n', before).map_or(0, |end| end + 1);
+        Self::Column(lines as u64 + 1, (before.len() - start) as u64 + 1)
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(f, ":{line}"),
+            Self::Column(line, column) => write!(f, ":{line}:{column}"),
             Self::Byte(byte) => write!(f, " at byte {byte}"),
             Self::File => Ok(()),
         }

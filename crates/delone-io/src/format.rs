@@ -1,6 +1,6 @@
 //! The formats, and how a file tells which one it is.
 
-use crate::{node, npy, table, vtu};
+use crate::{geojson, node, npy, table, vtu, wkt};
 use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
@@ -26,6 +26,10 @@ pub enum Format {
     Npy,
     /// Text table: CSV, TSV, XYZ, columns set apart by commas, semicolons, tabs or blanks.
     Table,
+    /// GeoJSON: points, lines and polygons of geography.
+    GeoJson,
+    /// Well-known text: points, lines and polygons of databases, also with SRID.
+    Wkt,
     /// VTK's unstructured grid in XML, for ParaView and its kin.
     Vtu,
     /// Picture of lines and areas.
@@ -36,7 +40,7 @@ pub enum Format {
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Node,
         Self::Ele,
         Self::Edge,
@@ -44,6 +48,8 @@ impl Format {
         Self::Poly,
         Self::Npy,
         Self::Table,
+        Self::GeoJson,
+        Self::Wkt,
         Self::Vtu,
         Self::Svg,
         Self::Png,
@@ -64,6 +70,8 @@ impl Format {
             Self::Poly => &["poly"],
             Self::Npy => &["npy"],
             Self::Table => &["csv", "tsv", "txt", "xyz", "xy", "tab", "dat", "asc", "pts"],
+            Self::GeoJson => &["geojson", "json"],
+            Self::Wkt => &["wkt", "ewkt"],
             Self::Vtu => &["vtu"],
             Self::Svg => &["svg"],
             Self::Png => &["png"],
@@ -86,6 +94,12 @@ impl Format {
         let head = &head[..head.len().min(SNIFFED)];
         if vtu::sniff(head) {
             return Some(Self::Vtu);
+        }
+        if geojson::sniff(head) {
+            return Some(Self::GeoJson);
+        }
+        if wkt::sniff(head) {
+            return Some(Self::Wkt);
         }
         if node::sniff(head) {
             return Some(Self::Node);
@@ -111,7 +125,7 @@ impl Format {
     /// Tells whether the format can hold segments, for [`read_domain`](crate::read_domain); all other
     /// formats of points are read as domains without.
     pub const fn reads_segments(self) -> bool {
-        matches!(self, Self::Poly)
+        matches!(self, Self::Poly | Self::GeoJson | Self::Wkt)
     }
 
     /// Tells whether [`read_mesh`](crate::read_mesh) understands the format.
@@ -121,12 +135,15 @@ impl Format {
 
     /// Tells whether [`write_mesh`](crate::write_mesh) can write the format.
     pub const fn writes_mesh(self) -> bool {
-        !matches!(self, Self::Table)
+        !matches!(self, Self::Table | Self::Wkt)
     }
 
     /// Tells whether [`write_points`](crate::write_points) can write the format.
     pub const fn writes_points(self) -> bool {
-        !matches!(self, Self::Ele | Self::Edge | Self::Neigh | Self::Poly)
+        !matches!(
+            self,
+            Self::Ele | Self::Edge | Self::Neigh | Self::Poly | Self::GeoJson | Self::Wkt
+        )
     }
 
     /// Tells whether the format is a picture.

@@ -1,8 +1,11 @@
 //! Files that others wrote: read in full, and meshes keep their triangles through our writers.
 
+use delone::VertexId;
 use delone_io::{
-    MeshView, ReadOptions, Source, Target, WriteOptions, read_mesh, read_points, write_mesh,
+    MeshView, ReadOptions, Source, Target, WriteOptions, read_domain, read_mesh, read_points,
+    write_mesh,
 };
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Finds a folder of the shared data, or says that it is absent.
@@ -39,6 +42,64 @@ fn points_of_every_file_are_read() {
             let set = read_points(&Source::from_arg(&path), &ReadOptions::default(), &());
             let set = set.unwrap_or_else(|error| panic!("{error}"));
             assert!(!set.points.is_empty(), "{}", path.display());
+            read += 1;
+        }
+        assert!(read >= at_least, "{}: {read}", folder.display());
+    }
+}
+
+/// Files with the numbers of points and of segments that the table of the shared data states, where
+/// equal points, equal segments and those of no length count once.
+const FACTS: &[(&str, usize, usize)] = &[
+    ("wkt/africa.wkt", 10_984, 11_031),
+    ("wkt/uk.wkt", 1684, 1686),
+    ("wkt/bc-250k.wkt", 116, 204),
+    ("wkt/plane.wkt", 258, 257),
+    ("wkt/europe.wkt", 25_193, 25_231),
+    ("wkt/louisiana.wkt", 1349, 1349),
+    ("wkt/norway_main.wkt", 8853, 8853),
+    ("wkt/nl_plots.wkt", 1586, 1885),
+    ("geojson/vertical_ulp_slopes2.geojson", 399, 435),
+    ("geojson/many_rects.geojson", 196, 230),
+    ("geojson/issue71.geojson", 130, 132),
+    ("geojson/overlapping_segments2.geojson", 72, 90),
+    ("triangle/A.poly", 29, 29),
+    ("triangle/double_hex.poly", 96, 96),
+    ("triangle/face.poly", 26, 22),
+];
+
+#[test]
+fn domains_are_read_as_their_facts_say() {
+    for &(name, points, segments) in FACTS {
+        let (folder, file) = name.split_once('/').expect("a folder");
+        let Some(folder) = shared(folder) else { return };
+        let source = Source::from_arg(folder.join(file));
+        let domain = read_domain(&source, &ReadOptions::default(), &());
+        let domain = domain.unwrap_or_else(|error| panic!("{error}"));
+        let place = |v: VertexId| {
+            let p = domain.vertices.points[v.index()];
+            [p.x.to_bits(), p.y.to_bits()]
+        };
+        let all = (0..domain.vertices.points.len()).map(VertexId::new);
+        let distinct: BTreeSet<_> = all.map(place).collect();
+        let edges = domain.segments.iter().map(|s| s.map(place));
+        let edges = edges
+            .filter(|[a, b]| a != b)
+            .map(|[a, b]| [a.min(b), a.max(b)]);
+        let edges: BTreeSet<_> = edges.collect();
+        assert_eq!((distinct.len(), edges.len()), (points, segments), "{name}");
+    }
+}
+
+#[test]
+fn domains_of_every_file_are_read() {
+    for (folder, at_least) in [("natural-earth", 15), ("triangle", 10), ("nasty", 20)] {
+        let Some(folder) = shared(folder) else { return };
+        let mut read = 0;
+        for path in files(&folder, &["poly", "geojson"]) {
+            let domain = read_domain(&Source::from_arg(&path), &ReadOptions::default(), &());
+            let domain = domain.unwrap_or_else(|error| panic!("{error}"));
+            assert!(!domain.vertices.points.is_empty(), "{}", path.display());
             read += 1;
         }
         assert!(read >= at_least, "{}: {read}", folder.display());

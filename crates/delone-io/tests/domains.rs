@@ -112,3 +112,174 @@ fn points_of_a_domain_can_be_read_alone() {
     let points = read_points(&source, &ReadOptions::default(), &()).expect("points");
     assert_eq!(points, read("a.poly", SQUARE).expect("a domain").vertices);
 }
+
+/// Two squares with a common side, a hole in the first, a line, and a point, as GeoJSON.
+const FEATURES: &str = r#"{"features": [
+  {"type": "Feature", "properties": {"name": "left", "more": [1, {"marker": 9}]}, "geometry":
+    {"coordinates": [[[0,0],[9,0],[9,9],[0,9],[0,0]], [[1,1],[2,1],[1,2],[1,1]]], "type": "Polygon"}},
+  {"type": "Feature", "properties": {"marker": 7}, "geometry":
+    {"type": "MultiPolygon", "coordinates": [[[[9,0],[18,0],[18,9],[9,9],[9,0]]]]}},
+  {"type": "Feature", "properties": null, "geometry": null},
+  {"type": "Feature", "id": 4, "geometry": {"type": "GeometryCollection", "geometries": [
+    {"type": "LineString", "coordinates": [[3,3,5.5],[4,3],[4,4,-1,99]]},
+    {"type": "Point", "coordinates": [5,5]},
+    {"type": "Polygon", "coordinates": []}, {"type": "Point", "coordinates": []}]}}
+], "bbox": [0,0,18,9], "type": "FeatureCollection"}"#;
+
+/// The same as well-known text, each geometry with its marker's number.
+const GEOMETRIES: &str = "SRID=4326;POLYGON((0 0,9 0,9 9,0 9,0 0),(1 1,2 1,1 2,1 1));
+MultiPolygon (((9 0, 18 0, 18 9, 9 9, 9 0)))
+# a comment
+
+POINT EMPTY; GEOMETRYCOLLECTION Z (LINESTRING Z (3 3 5.5, 4 3 0, 4 4 -1), POINT (5 5), POLYGON EMPTY)
+";
+
+#[test]
+fn geojson_is_read_whole() {
+    let domain = read("a.geojson", FEATURES).expect("a domain");
+    assert_features(&domain);
+    let markers = [vec![1; 7], vec![7; 4], vec![4; 2]].concat();
+    assert_eq!(domain.segment_markers, Some(markers));
+    let z = &domain.vertices.attributes[0];
+    assert_eq!(z.name, "z");
+    assert_eq!(z.values.iter().filter(|v| v.is_nan()).count(), 13);
+    assert_eq!((z.values[11], z.values[13]), (5.5, -1.0));
+}
+
+#[test]
+fn well_known_text_is_read_whole() {
+    let domain = read("a.wkt", GEOMETRIES).expect("a domain");
+    assert_features(&domain);
+    let markers = [vec![1; 7], vec![2; 4], vec![4; 2]].concat();
+    assert_eq!(domain.segment_markers, Some(markers));
+    assert_eq!(
+        domain.vertices.attributes[0].values[11..14],
+        [5.5, 0.0, -1.0]
+    );
+}
+
+#[track_caller]
+fn assert_features(domain: &DomainData) {
+    assert_eq!(domain.vertices.points.len(), 4 + 3 + 4 + 3 + 1);
+    assert_eq!(domain.polygons, [0..7, 7..11]);
+    let [square, triangle] = [[[3, 0]], [[6, 4]]].map(ids);
+    assert_eq!(domain.segments[3..4], square);
+    assert_eq!(domain.segments[6..7], triangle);
+    assert_eq!(domain.segments[11..], ids([[11, 12], [12, 13]]));
+    assert_eq!(domain.usual_rule, DomainRule::EvenOdd);
+}
+
+#[test]
+fn every_geometry_can_be_a_file() {
+    let cases: [(&str, &str, [usize; 3]); 12] = [
+        (
+            r#"{"type":"Point","coordinates":[1,2]}"#,
+            "POINT (1 2)",
+            [1, 0, 0],
+        ),
+        (
+            r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}"#,
+            "MULTIPOINT (1 2, 3 4)",
+            [2, 0, 0],
+        ),
+        (
+            r#"{"type":"MultiPoint","coordinates":[]}"#,
+            "MULTIPOINT EMPTY",
+            [0, 0, 0],
+        ),
+        (
+            r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}"#,
+            "multipoint((1 2),EMPTY,(3 4))",
+            [2, 0, 0],
+        ),
+        (
+            r#"{"type":"LineString","coordinates":[[1,2],[3,4]]}"#,
+            "LINESTRING(1 2,3 4)",
+            [2, 1, 0],
+        ),
+        (
+            r#"{"type":"LineString","coordinates":[[1,2],[3,4],[1,2]]}"#,
+            "LINESTRINGM(1 2 0,3 4 0,1 2 0)",
+            [3, 2, 0],
+        ),
+        (
+            r#"{"type":"LineString","coordinates":[[0,0],[3,4],[4,3],[0,0]]}"#,
+            "LINESTRING(0 0,3 4,4 3,-0 0)",
+            [3, 3, 0],
+        ),
+        (
+            r#"{"type":"MultiLineString","coordinates":[[[1,2],[3,4]],[[5,6],[7,8]]]}"#,
+            "MULTILINESTRING((1 2,3 4),(5 6,7 8))",
+            [4, 2, 0],
+        ),
+        (
+            r#"{"type":"Polygon","coordinates":[[[0,0],[3,0],[0,4],[0,0]]]}"#,
+            "POLYGON ZM((0 0 1 2,3 0 1 2,0 4 1 2,0 0 1 2))",
+            [3, 3, 1],
+        ),
+        (
+            r#"{"type":"MultiPolygon","coordinates":[[[[0,0],[3,0],[0,4],[0,0]]],[]]}"#,
+            "MULTIPOLYGON(((0 0,3 0,0 4,0 0)),EMPTY)",
+            [3, 3, 1],
+        ),
+        (
+            r#"{"type":"Feature","geometry":{"type":"Point","coordinates":[1e-3,2]},"properties":{}}"#,
+            "Point(1e-3 +2)",
+            [1, 0, 0],
+        ),
+        (
+            r#"{"type":"FeatureCollection","features":[]}"#,
+            "GEOMETRYCOLLECTION EMPTY",
+            [0, 0, 0],
+        ),
+    ];
+    for (geojson, wkt, counts) in cases {
+        for (name, text) in [
+            ("a.geojson", geojson),
+            ("a.wkt", wkt),
+            ("-", geojson),
+            ("-", wkt),
+        ] {
+            let domain = read(name, text).expect(text);
+            let found = [
+                domain.vertices.points.len(),
+                domain.segments.len(),
+                domain.polygons.len(),
+            ];
+            assert_eq!(found, counts, "{text}");
+            assert_eq!(domain.segment_markers, None, "{text}");
+            let rule = [DomainRule::Hull, DomainRule::EvenOdd][counts[2]];
+            assert_eq!(domain.usual_rule, rule, "{text}");
+        }
+    }
+    let measured = read("a.wkt", "POINT M (1 2 3) POINT Z (1 2 4)").expect("points");
+    let columns = measured.vertices.attributes.iter().map(|a| a.name.as_str());
+    assert_eq!(columns.collect::<Vec<_>>(), ["z", "m"]);
+    assert_eq!(measured.vertices.attributes[0].values[1], 4.0);
+    assert_eq!(measured.vertices.attributes[1].values[0], 3.0);
+}
+
+#[test]
+fn decimals_are_read_to_the_last_bit() {
+    for text in [
+        "0.1",
+        "9007199254740993",
+        "5e-324",
+        "1.7976931348623157e308",
+        "-122.419415999999999",
+    ] {
+        let value: f64 = text.parse().expect("a number");
+        let geojson = format!(r#"{{"type":"Point","coordinates":[{text},0]}}"#);
+        for (name, content) in [
+            ("a.geojson", geojson),
+            ("a.wkt", format!("POINT({text} 0)")),
+        ] {
+            let domain = read(name, &content).expect("a point");
+            assert_eq!(
+                domain.vertices.points[0].x.to_bits(),
+                value.to_bits(),
+                "{text}"
+            );
+        }
+    }
+}

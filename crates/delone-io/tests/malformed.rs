@@ -1,6 +1,9 @@
 //! Malformed files: the error names file, line and culprit, and nothing panics or allocates much.
 
-use delone_io::{Error, Format, MeshData, PointSet, ReadOptions, Source, read_mesh, read_points};
+use delone_io::{
+    DomainData, Error, Format, MeshData, PointSet, ReadOptions, Source, read_domain, read_mesh,
+    read_points,
+};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -188,6 +191,132 @@ const TABLE: &[(&str, &str, &str)] = &[
         "without compression",
     ),
     ("a.vtu", "<VTKFile><a></b>", "broken XML"),
+    ("a.geojson", " \n", "a.geojson: the file is empty"),
+    (
+        "a.geojson",
+        "{\"type\":",
+        "a.geojson:1:8: EOF while parsing",
+    ),
+    (
+        "a.geojson",
+        "[]",
+        "invalid type: sequence, expected an object",
+    ),
+    ("a.geojson", "null", "null where an object should be"),
+    ("a.geojson", "{}", "an object without the member \"type\""),
+    (
+        "a.geojson",
+        "{\"type\": \"Topology\"}",
+        "type \"Topology\" is none of GeoJSON's",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\"}",
+        "a Point needs the member \"coordinates\"",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1, 2]} x",
+        "a.geojson:1:42: trailing characters",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1, 1e999]}",
+        "number out of range",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1]}",
+        "a position of one number",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1, \"2\"]}",
+        "invalid type: string \"2\", expected a number or an array",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1, [2]]}",
+        "a position of one number",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [1, []]}",
+        "numbers and arrays in one array",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"geometries\": []}",
+        "a Point has no member \"geometries\"",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Point\", \"coordinates\": [], \"coordinates\": []}",
+        "an object with the members \"coordinates\" and \"coordinates\"",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"LineString\", \"coordinates\": [1, 2]}",
+        "a position where an array of positions should be",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"LineString\", \"coordinates\": [[1, 2]]}",
+        "a line of one position",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"FeatureCollection\", \"features\": [{\"type\": \"Point\", \"coordinates\": []}]}",
+        "feature 0: a Point does not belong here",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"FeatureCollection\", \"features\": [\n\
+         {\"type\": \"Feature\", \"geometry\": null},\n\
+         {\"type\": \"Feature\", \"geometry\":\n\
+         {\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1, 0], [1, 1], [0, 1]]]}}]}",
+        "a.geojson:4:70: feature 1: ring 0 is not closed: it begins at (0, 0) and ends at (0, 1)",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1, 0], [0, 0]]]}",
+        "ring 0 has 3 positions; at least 4 are needed",
+    ),
+    ("a.wkt", "", "a.wkt: the file is empty"),
+    (
+        "a.wkt",
+        "POINT (1 2)\nPOINT (1",
+        "a.wkt:2:9: expected a number, found the end of the file",
+    ),
+    (
+        "a.wkt",
+        "POINT (1 2, 3 4)",
+        "a.wkt:1:16: a point of 2 positions",
+    ),
+    ("a.wkt", "POINT 1 2", "expected '(' or EMPTY, found \"1\""),
+    ("a.wkt", "POINT (1 2;", "expected ',' or ')', found ';'"),
+    ("a.wkt", "POINT (nan 2)", "point 0: x is nan"),
+    ("a.wkt", "POINT (1 two)", "y is not a number: \"two\""),
+    ("a.wkt", "POINT (1 2-3)", "y is not a number: \"2-3\""),
+    ("a.wkt", "POINT Z (1 2)", "a position of 2 numbers"),
+    ("a.wkt", "POINT (1 2 3 4 5)", "a position of 5 numbers"),
+    (
+        "a.wkt",
+        "SRID=x;POINT (1 2)",
+        "a.wkt:1:6: expected a number",
+    ),
+    (
+        "a.wkt",
+        "CIRCULARSTRING (0 0, 1 1, 2 0)",
+        "\"CIRCULARSTRING\" is not understood; known are POINT",
+    ),
+    (
+        "a.wkt",
+        "POLYGON ((0 0, 1 0, 1 1, 0 1))",
+        "a.wkt:1:30: ring 0 is not closed",
+    ),
+    ("a.wkt", "POLYGON (EMPTY)", "ring 0 has 0 positions"),
+    ("a.wkt", "LINESTRING (0 0)", "a line of one position"),
     ("a.ele", "1 3 0\n0 0 1 2\n", "without the files beside it"),
     ("a.edge", "0 1\n", "format edge cannot be read"),
     ("a.png", "", "format png cannot be read"),
@@ -259,6 +388,7 @@ fn read_as_everything(bytes: &[u8]) {
         for points in [
             read_points(&source, &options, &()).ok(),
             read_mesh(&source, &options, &()).ok().map(checked),
+            read_domain(&source, &options, &()).ok().map(checked_domain),
         ]
         .into_iter()
         .flatten()
@@ -279,6 +409,25 @@ fn checked(mesh: MeshData) -> PointSet {
     let n = mesh.vertices.points.len();
     assert!(mesh.triangles.as_flattened().iter().all(|v| v.index() < n));
     mesh.vertices
+}
+
+fn checked_domain(domain: DomainData) -> PointSet {
+    let n = domain.vertices.points.len();
+    let s = domain.segments.len();
+    let ends = domain.segments.as_flattened();
+    assert!(ends.iter().all(|v| v.index() < n));
+    assert!(domain.segment_markers.is_none_or(|m| m.len() == s));
+    let mut ranges = domain.polygons.iter();
+    assert!(ranges.all(|range| range.start < range.end && range.end <= s));
+    let regions = domain.regions.iter().map(|region| region.at);
+    assert!(
+        domain
+            .holes
+            .into_iter()
+            .chain(regions)
+            .all(|p| p.is_finite())
+    );
+    domain.vertices
 }
 
 /// Makes an array file.
@@ -392,6 +541,29 @@ fn damaged_vtu_says_what_is_wrong() {
 }
 
 #[test]
+fn deep_nesting_is_refused() {
+    let arrays = format!(
+        "{{\"type\": \"Polygon\", \"coordinates\": {}",
+        "[".repeat(200_000)
+    );
+    assert_error(points_of("a.geojson", arrays.as_bytes()), "recursion limit");
+    // What is skipped may be as deep as it likes, but not for ever.
+    let ignored = format!("{{\"name\": {}", "[".repeat(200_000));
+    assert_error(points_of("a.geojson", ignored.as_bytes()), "EOF");
+    let collection = "{\"type\": \"GeometryCollection\", \"geometries\": [";
+    let collections = collection.repeat(50_000);
+    assert_error(
+        points_of("a.geojson", collections.as_bytes()),
+        "recursion limit",
+    );
+    let collections = "GEOMETRYCOLLECTION (".repeat(50_000);
+    assert_error(
+        points_of("a.wkt", collections.as_bytes()),
+        "collections within collections, deeper than 100",
+    );
+}
+
+#[test]
 fn noise_is_not_an_empty_table() {
     let noise: Vec<u8> = (0..200u32).map(|i| (i * i * 37 % 251) as u8).collect();
     let without_zeros: Vec<u8> = noise.iter().map(|b| b | 128).collect();
@@ -412,6 +584,11 @@ fn valid_files() -> Vec<Vec<u8>> {
         npy("<f8", "(3, 2)", &floats),
         npy(">i2", "(4, 3)", &floats[..24]),
         include_bytes!("data/two-triangles.vtu").to_vec(),
+        b"3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n1 1\n0 0 1 5\n1\n0 .1 .1\n2\n0 .2 .2 3 4\n1 .3 .3 4\n".to_vec(),
+        b"{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"marker\":3},\
+          \"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[1,0],[0,1,7],[0,0]]]}}]}"
+            .to_vec(),
+        b"SRID=4;POLYGON Z((0 0 1,1 0 1,0 1 1,0 0 1));MULTIPOINT(1 2,(3 4)) LINESTRING M EMPTY".to_vec(),
     ]
 }
 
@@ -423,6 +600,33 @@ fn truncated_files_never_panic() {
         }
     }
 }
+
+/// Pieces of GeoJSON and well-known text.
+const WORDS: &[&str] = &[
+    "{\"type\":\"Polygon\",\"coordinates\":",
+    "{\"type\":\"Feature\",\"geometry\":",
+    "{\"type\":\"FeatureCollection\",\"features\":[",
+    "\"properties\":{\"marker\":1}",
+    "[[0,0],[1,0],[1,1],[0,0]]",
+    "null",
+    "[",
+    "]",
+    "{",
+    "}",
+    ",",
+    "POLYGON",
+    "MULTIPOINT",
+    "LINESTRING ",
+    "GEOMETRYCOLLECTION",
+    "EMPTY",
+    " Z",
+    "(",
+    ")",
+    ";",
+    "SRID=1;",
+    "0 0,1 0,1 1,0 0",
+    " 7 ",
+];
 
 proptest! {
     #[test]
@@ -436,8 +640,15 @@ proptest! {
     }
 
     #[test]
+    fn noisy_words_never_panic(
+        words in prop::collection::vec(prop::sample::select(WORDS), 0..40),
+    ) {
+        read_as_everything(words.concat().as_bytes());
+    }
+
+    #[test]
     fn damaged_files_never_panic(
-        which in 0..7usize,
+        which in 0..10usize,
         damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
         let mut file = valid_files().swap_remove(which);

@@ -1,0 +1,11 @@
+//! `.geojson`: GeoJSON, points, lines and polygons of geography.
+//!
+//! RFC 7946. Any of its objects may be the whole file. Heights become the attribute `z`; of the
+//! properties only `marker` is read, an integer for the segments of the feature. Empty and missing
+//! geometries are skipped. Coordinates are taken as those of the plane.
+
+mod object;
+mod read;
+mod tree;
+
+pub(crate) use read::{read_domain, sniff};

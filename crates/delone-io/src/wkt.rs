@@ -1,0 +1,406 @@
+//! `.wkt`: well-known text, points, lines and polygons as databases write them, read only.
+//!
+//! OGC 06-103r4, *Simple feature access*, with Z, M and ZM, and PostGIS' `SRID=n;` before a geometry.
+//! A file may hold many geometries, set apart by line ends, blanks or semicolons; `#` begins a
+//! comment. Z and M become the attributes `z` and `m`. Without a tag, a third number is z, a fourth m.
+//! Curves and surfaces are not read. Collections may lie in one another to [`MAX_DEPTH`].
+
+use crate::shapes::{Position, Shapes};
+use crate::{DomainData, Error, Place, Problem, scan};
+use delone::{Phase, Point, Watch};
+
+/// Deepest nesting of collections, so that hostile text cannot exhaust the stack.
+const MAX_DEPTH: usize = 100;
+
+/// Tokens between two looks at the watch: some 100 µs of work.
+const TOKENS_PER_POLL: u64 = 8192;
+
+/// The kinds of geometry.
+const KINDS: [(&str, Kind); 7] = [
+    ("POINT", Kind::Point),
+    ("LINESTRING", Kind::Line),
+    ("POLYGON", Kind::Polygon),
+    ("MULTIPOINT", Kind::MultiPoint),
+    ("MULTILINESTRING", Kind::MultiLine),
+    ("MULTIPOLYGON", Kind::MultiPolygon),
+    ("GEOMETRYCOLLECTION", Kind::Collection),
+];
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Point,
+    Line,
+    Polygon,
+    MultiPoint,
+    MultiLine,
+    MultiPolygon,
+    Collection,
+}
+
+/// What the numbers of a position are, beyond x and y.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tag {
+    /// None is named: as many as there are.
+    Open,
+    Z,
+    M,
+    Zm,
+}
+
+const TAGS: [(&str, Tag); 4] = [
+    ("", Tag::Open),
+    ("Z", Tag::Z),
+    ("M", Tag::M),
+    ("ZM", Tag::Zm),
+];
+
+impl Tag {
+    /// Sorts the numbers behind x and y into z and m.
+    fn extras(self, numbers: &[f64]) -> Option<[f64; 2]> {
+        match (self, numbers) {
+            (Self::Open, []) => Some([f64::NAN; 2]),
+            (Self::Open | Self::Z, &[z]) => Some([z, f64::NAN]),
+            (Self::M, &[m]) => Some([f64::NAN, m]),
+            (Self::Open | Self::Zm, &[z, m]) => Some([z, m]),
+            _ => None,
+        }
+    }
+}
+
+/// Finds the kind and tag that a word such as `POINT` or `pointZM` names.
+fn kind(word: &[u8]) -> Option<(Kind, Tag)> {
+    let word = std::str::from_utf8(word).ok()?.to_ascii_uppercase();
+    let tag_of = |name| {
+        let rest = word.strip_prefix(name)?;
+        find(&TAGS, rest.as_bytes())
+    };
+    KINDS
+        .iter()
+        .find_map(|&(name, kind)| Some((kind, tag_of(name)?)))
+}
+
+/// Finds a word in a table, in any case.
+fn find<T: Copy>(table: &[(&str, T)], word: &[u8]) -> Option<T> {
+    let is_word = |(name, _): &&(&str, T)| word.eq_ignore_ascii_case(name.as_bytes());
+    table.iter().find(is_word).map(|&(_, found)| found)
+}
+
+/// Tells whether the bytes begin like a geometry.
+pub(crate) fn sniff(head: &[u8]) -> bool {
+    let mut text = Text::new(scan::without_mark(head), &());
+    match text.next() {
+        Ok(Token::Word(word)) => kind(word).is_some() || word.eq_ignore_ascii_case(b"SRID"),
+        _ => false,
+    }
+}
+
+/// Reads a domain.
+pub(crate) fn read_domain(
+    file: &str,
+    bytes: &[u8],
+    watch: &dyn Watch,
+) -> Result<DomainData, Error> {
+    let malformed = |place, problem| Error::Malformed {
+        file: file.to_owned(),
+        place,
+        problem,
+    };
+    let bytes = scan::without_mark(bytes);
+    let mut reader = Reader {
+        text: Text::new(bytes, watch),
+        shapes: Shapes::default(),
+    };
+    match reader.read_all() {
+        Ok(0) => Err(malformed(Place::File, Problem::Empty)),
+        Ok(_) => Ok(reader.shapes.finish()),
+        Err(Stop::Cancelled) => Err(Error::Cancelled),
+        Err(Stop::Problem(problem)) => {
+            Err(malformed(Place::in_text(bytes, reader.text.start), problem))
+        }
+    }
+}
+
+/// Why reading stopped early.
+enum Stop {
+    Problem(Problem),
+    Cancelled,
+}
+
+impl From<Problem> for Stop {
+    fn from(problem: Problem) -> Self {
+        Self::Problem(problem)
+    }
+}
+
+/// A word, a number or a sign.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Token<'a> {
+    Word(&'a [u8]),
+    Number(&'a [u8]),
+    Sign(u8),
+    End,
+}
+
+impl Token<'_> {
+    fn show(self) -> String {
+        match self {
+            Self::Word(text) | Self::Number(text) => format!("{:?}", scan::show(text)),
+            Self::Sign(byte) => format!("{:?}", char::from(byte)),
+            Self::End => "the end of the file".to_owned(),
+        }
+    }
+}
+
+/// The text, token by token.
+struct Text<'a> {
+    bytes: &'a [u8],
+    /// Where the last token begins.
+    start: usize,
+    /// Where the next one is looked for.
+    position: usize,
+    tokens: u64,
+    watch: &'a dyn Watch,
+}
+
+impl<'a> Text<'a> {
+    fn new(bytes: &'a [u8], watch: &'a dyn Watch) -> Self {
+        Self {
+            bytes,
+            start: 0,
+            position: 0,
+            tokens: 0,
+            watch,
+        }
+    }
+
+    fn next(&mut self) -> Result<Token<'a>, Stop> {
+        self.poll()?;
+        self.skip_blanks();
+        self.start = self.position;
+        let rest = &self.bytes[self.start..];
+        let is_in_word =
+            |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'+' | b'-' | b'_');
+        let length = rest.iter().take_while(|b| is_in_word(b)).count();
+        self.position += length.max(1).min(rest.len());
+        Ok(match rest {
+            [] => Token::End,
+            [first, ..] if length == 0 => Token::Sign(*first),
+            [first, ..] if first.is_ascii_alphabetic() => Token::Word(&rest[..length]),
+            _ => Token::Number(&rest[..length]),
+        })
+    }
+
+    /// Takes the last token back.
+    fn back(&mut self) {
+        self.position = self.start;
+    }
+
+    fn skip_blanks(&mut self) {
+        while let Some(byte) = self.bytes.get(self.position) {
+            let rest = &self.bytes[self.position..];
+            self.position += match byte {
+                b'#' => memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len()),
+                byte if byte.is_ascii_whitespace() => 1,
+                _ => return,
+            };
+        }
+    }
+
+    fn poll(&mut self) -> Result<(), Stop> {
+        self.tokens += 1;
+        if self.tokens.is_multiple_of(TOKENS_PER_POLL) {
+            if self.watch.is_cancelled() {
+                return Err(Stop::Cancelled);
+            }
+            let (done, total) = (self.position as u64, self.bytes.len() as u64);
+            self.watch.progress(Phase::Read, done, total);
+        }
+        Ok(())
+    }
+}
+
+/// Reads geometries, each by its grammar.
+struct Reader<'a> {
+    text: Text<'a>,
+    shapes: Shapes,
+}
+
+impl<'a> Reader<'a> {
+    /// Reads all geometries and counts them.
+    fn read_all(&mut self) -> Result<usize, Stop> {
+        let mut count = 0;
+        loop {
+            match self.text.next()? {
+                Token::End => return Ok(count),
+                Token::Sign(b';') => continue,
+                Token::Word(word) if word.eq_ignore_ascii_case(b"SRID") => self.srid()?,
+                _ => {
+                    self.text.back();
+                    self.geometry(0)?;
+                    self.shapes.end_feature(None);
+                    count += 1;
+                }
+            }
+        }
+    }
+
+    /// Skips the rest of `SRID=4326;`.
+    fn srid(&mut self) -> Result<(), Stop> {
+        self.expect(b'=')?;
+        match self.text.next()? {
+            Token::Number(_) => self.expect(b';'),
+            token => Err(self.unexpected("a number", token)),
+        }
+    }
+
+    fn geometry(&mut self, depth: usize) -> Result<(), Stop> {
+        let token = self.text.next()?;
+        let Token::Word(word) = token else {
+            return Err(self.unexpected("a geometry", token));
+        };
+        let Some((kind, mut tag)) = kind(word) else {
+            let known = KINDS.map(|(name, _)| name).join(", ");
+            let text = format!(
+                "{:?} is not understood; known are {known}",
+                scan::show(word)
+            );
+            return Err(Problem::Other(text).into());
+        };
+        if tag == Tag::Open {
+            tag = self.tag()?;
+        }
+        match kind {
+            Kind::Point => self.point(tag),
+            Kind::MultiPoint => self.parts(|reader| reader.point_of_many(tag)),
+            Kind::Line => self.line(tag),
+            Kind::MultiLine => self.parts(|reader| reader.line(tag)),
+            Kind::Polygon => self.polygon(tag),
+            Kind::MultiPolygon => self.parts(|reader| reader.polygon(tag)),
+            Kind::Collection if depth == MAX_DEPTH => {
+                let text = format!("collections within collections, deeper than {MAX_DEPTH}");
+                Err(Problem::Other(text).into())
+            }
+            Kind::Collection => self.parts(|reader| reader.geometry(depth + 1)),
+        }
+    }
+
+    /// Reads a tag that stands alone, if there is one.
+    fn tag(&mut self) -> Result<Tag, Stop> {
+        if let Token::Word(word) = self.text.next()?
+            && let Some(tag) = find(&TAGS, word)
+        {
+            return Ok(tag);
+        }
+        self.text.back();
+        Ok(Tag::Open)
+    }
+
+    /// Reads `EMPTY`, or parts in brackets with commas between them.
+    fn parts(&mut self, mut part: impl FnMut(&mut Self) -> Result<(), Stop>) -> Result<(), Stop> {
+        match self.text.next()? {
+            Token::Word(word) if word.eq_ignore_ascii_case(b"EMPTY") => return Ok(()),
+            Token::Sign(b'(') => {}
+            token => return Err(self.unexpected("'(' or EMPTY", token)),
+        }
+        loop {
+            part(self)?;
+            match self.text.next()? {
+                Token::Sign(b',') => {}
+                Token::Sign(b')') => return Ok(()),
+                token => return Err(self.unexpected("',' or ')'", token)),
+            }
+        }
+    }
+
+    /// Reads a point of many, which may or may not stand in brackets.
+    fn point_of_many(&mut self, tag: Tag) -> Result<(), Stop> {
+        let token = self.text.next()?;
+        self.text.back();
+        if let Token::Number(_) = token {
+            let position = self.position(tag)?;
+            return Ok(self.shapes.point(position)?);
+        }
+        self.point(tag)
+    }
+
+    fn point(&mut self, tag: Tag) -> Result<(), Stop> {
+        match *self.positions(tag)? {
+            [] => Ok(()),
+            [position] => Ok(self.shapes.point(position)?),
+            ref several => {
+                let text = format!("a point of {} positions", several.len());
+                Err(Problem::Other(text).into())
+            }
+        }
+    }
+
+    fn line(&mut self, tag: Tag) -> Result<(), Stop> {
+        let positions = self.positions(tag)?;
+        Ok(self.shapes.line(&positions)?)
+    }
+
+    fn polygon(&mut self, tag: Tag) -> Result<(), Stop> {
+        let mut rings = Vec::new();
+        self.parts(|reader| {
+            rings.push(reader.positions(tag)?);
+            Ok(())
+        })?;
+        Ok(self.shapes.polygon(rings.iter().map(Vec::as_slice))?)
+    }
+
+    fn positions(&mut self, tag: Tag) -> Result<Vec<Position>, Stop> {
+        let mut positions = Vec::new();
+        self.parts(|reader| {
+            positions.push(reader.position(tag)?);
+            Ok(())
+        })?;
+        Ok(positions)
+    }
+
+    fn position(&mut self, tag: Tag) -> Result<Position, Stop> {
+        let point = Point::new(self.coordinate('x')?, self.coordinate('y')?);
+        let (mut numbers, mut count) = ([f64::NAN; 2], 0);
+        while let Token::Number(word) = self.text.next()? {
+            let number = scan::number(word).ok_or_else(|| Problem::NotANumber {
+                what: "coordinate".to_owned(),
+                text: scan::show(word),
+            })?;
+            if let Some(place) = numbers.get_mut(count) {
+                *place = number;
+            }
+            count += 1;
+        }
+        self.text.back();
+        let extras = numbers.get(..count).and_then(|n| tag.extras(n));
+        let extras = extras.ok_or_else(|| {
+            let found = count + 2;
+            Problem::Other(format!(
+                "a position of {found} numbers, which its tag does not allow"
+            ))
+        })?;
+        Ok(Position { point, extras })
+    }
+
+    fn coordinate(&mut self, axis: char) -> Result<f64, Stop> {
+        match self.text.next()? {
+            Token::Number(word) | Token::Word(word) => Ok(scan::coordinate(
+                word,
+                axis,
+                self.shapes.num_points() as u64,
+            )?),
+            token => Err(self.unexpected("a number", token)),
+        }
+    }
+
+    fn expect(&mut self, sign: u8) -> Result<(), Stop> {
+        match self.text.next()? {
+            Token::Sign(found) if found == sign => Ok(()),
+            token => Err(self.unexpected(&format!("{:?}", char::from(sign)), token)),
+        }
+    }
+
+    fn unexpected(&self, expected: &str, token: Token<'a>) -> Stop {
+        let text = format!("expected {expected}, found {}", token.show());
+        Stop::Problem(Problem::Other(text))
+    }
+}
