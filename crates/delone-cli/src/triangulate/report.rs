@@ -78,7 +78,7 @@ impl Figures {
             vertices,
             triangles: result.num_triangles(),
             edges: result.num_edges(),
-            hull_edges: result.num_hull_edges(),
+            hull_edges: result.num_boundary_edges(),
             duplicates: result.duplicates().len(),
             carved: result.num_vertices() - vertices,
             segments: 0,
