@@ -280,7 +280,8 @@ fn unreadable(error: Error) -> Failure {
     }
 }
 
-fn unwritable(error: Error) -> Failure {
+/// Says why something could not be written.
+pub fn unwritable(error: Error) -> Failure {
     match error {
         Error::Cancelled => Failure::Cancelled,
         Error::Io { file, source, .. }

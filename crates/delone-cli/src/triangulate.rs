@@ -9,8 +9,8 @@ use crate::files::{self, Content, Input, Outputs, Reading, Writing};
 use crate::progress::Progress;
 use crate::sample::Scene;
 use crate::timing::timed;
-use build::Building;
-use delone_io::DomainData;
+use build::{Building, Built};
+use delone_io::{DomainData, Inherited, MeshView};
 use numbering::Numbering;
 use report::{Figures, Report, Seconds};
 use std::path::PathBuf;
@@ -89,10 +89,7 @@ impl Triangulate {
         // Hashed before the files get their names, for after that nothing should take long.
         let threads = self.building.threads();
         let figures = (self.json || !quiet).then(|| Figures::of(&built, threads));
-        let (written, write) = timed(|| {
-            let mesh = built.view().with_domain(&domain);
-            self.writing.mesh(&outputs, &mesh, &progress)
-        })?;
+        let (written, write) = timed(|| self.write(&outputs, &built, domain, &progress))?;
         progress.finish();
 
         if let Some(figures) = figures {
@@ -132,6 +129,29 @@ impl Triangulate {
                 Err(Failure::Usage(lacking.to_owned()))
             }
             None => Ok(None),
+        }
+    }
+
+    /// Writes the mesh with what it has inherited from `domain`.
+    fn write(
+        &self,
+        outputs: &Outputs,
+        built: &Built,
+        domain: DomainData,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        match built {
+            _ if outputs.is_empty() => Ok(Vec::new()),
+            Built::Points(triangulation) => {
+                let mesh = MeshView::from(triangulation).with_data(&domain.vertices);
+                self.writing.mesh(outputs, &mesh, progress)
+            }
+            Built::Domain(result) => {
+                let inherited = Inherited::new(result, domain, progress);
+                let inherited = inherited.map_err(files::unwritable)?;
+                let mesh = MeshView::constrained(result, &inherited);
+                self.writing.mesh(outputs, &mesh, progress)
+            }
         }
     }
 

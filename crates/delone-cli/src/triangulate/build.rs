@@ -6,7 +6,7 @@ use crate::exit::Failure;
 use crate::progress::Progress;
 use crate::stopwatch::Stopwatch;
 use delone::{ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, Triangulation};
-use delone_io::{DomainData, MeshView};
+use delone_io::DomainData;
 use std::time::{Duration, Instant};
 
 /// Options about segments and what lies between them.
@@ -101,14 +101,6 @@ impl Built {
         match self {
             Self::Points(triangulation) => triangulation,
             Self::Domain(domain) => domain.triangulation(),
-        }
-    }
-
-    /// Returns what is to be written.
-    pub fn view(&self) -> MeshView<'_> {
-        match self {
-            Self::Points(triangulation) => triangulation.into(),
-            Self::Domain(domain) => domain.into(),
         }
     }
 
