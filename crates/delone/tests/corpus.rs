@@ -113,9 +113,9 @@ fn for_each_file(mut test: impl FnMut(corpus::Entry, Random)) {
 #[test]
 fn every_file_is_triangulated_whatever_its_order() {
     for_each_file(|mut entry, mut random| {
-        let (_, certificate) = verified(&entry.name, &entry.points);
-        random.shuffle(&mut entry.points);
-        let (_, shuffled) = verified(&entry.name, &entry.points);
+        let (_, certificate) = verified(&entry.name, &entry.pslg.points);
+        random.shuffle(&mut entry.pslg.points);
+        let (_, shuffled) = verified(&entry.name, &entry.pslg.points);
         assert_eq!(shuffled, certificate, "{} shuffled", entry.name);
     });
 }
@@ -123,9 +123,9 @@ fn every_file_is_triangulated_whatever_its_order() {
 #[test]
 fn every_file_is_triangulated_when_rotated() {
     for_each_file(|mut entry, mut random| {
-        random.rotate(&mut entry.points);
-        if entry.points.iter().all(Point::is_finite) {
-            verified(&format!("{} rotated", entry.name), &entry.points);
+        random.rotate(&mut entry.pslg.points);
+        if entry.pslg.points.iter().all(Point::is_finite) {
+            verified(&format!("{} rotated", entry.name), &entry.pslg.points);
         }
     });
 }
@@ -134,16 +134,16 @@ fn every_file_is_triangulated_when_rotated() {
 fn every_file_keeps_its_triangles_when_scaled() {
     let mut extremes = 0;
     for_each_file(|entry, _| {
-        let few = entry.points.len() <= FEW;
+        let few = entry.pslg.points.len() <= FEW;
         let exponents: &[i32] = if few {
             &[-40, 30, -900, 700]
         } else {
             &[-40, 30]
         };
-        let original = triangulate(entry.points.iter().copied()).expect("finite points");
+        let original = triangulate(entry.pslg.points.iter().copied()).expect("finite points");
         for &exponent in exponents {
             let name = format!("{} times 2^{exponent}", entry.name);
-            if let Some(points) = scaled(&entry.points, exponent) {
+            if let Some(points) = scaled(&entry.pslg.points, exponent) {
                 extremes += usize::from(exponent.abs() > 40);
                 let (t, _) = verified(&name, &points);
                 assert_eq!(sorted_triangles(&t), sorted_triangles(&original), "{name}");
@@ -157,7 +157,7 @@ fn every_file_keeps_its_triangles_when_scaled() {
 }
 
 fn golden_line(entry: &corpus::Entry) -> String {
-    let (_, c) = verified(&entry.name, &entry.points);
+    let (_, c) = verified(&entry.name, &entry.pslg.points);
     let counts = [c.vertices, c.duplicates, c.triangles, c.hull_edges];
     let [vertices, duplicates, triangles, hull_edges] = counts;
     let name = &entry.name;
@@ -185,7 +185,7 @@ fn fixtures_have_their_golden_hashes() {
 fn nasty(file: &str) -> (Triangulation, Certificate) {
     let name = format!("nasty/{file}");
     let entry = corpus::read(Path::new(FIXTURES), &name).expect("a file with points");
-    verified(&name, &entry.points)
+    verified(&name, &entry.pslg.points)
 }
 
 /// Expects numbers of vertices, duplicates, triangles and hull edges.

@@ -28,7 +28,7 @@ impl fmt::Display for Corner {
     }
 }
 
-/// One reason why triangles are not the canonical Delaunay triangulation of some points.
+/// One reason why triangles are not the canonical Delaunay triangulation of some points, or of a domain.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Defect {
@@ -159,6 +159,144 @@ pub enum Defect {
     NoTriangles {
         /// Three points that could be corners.
         corners: [Corner; 3],
+    },
+    /// There are fewer points than in the input.
+    #[error("{given} points given, but the input has {expected}")]
+    TooFewPoints {
+        /// Number of points given.
+        given: usize,
+        /// Number of points of the input.
+        expected: usize,
+    },
+    /// A point of the input has moved.
+    #[error("point {corner} lies at ({:?}, {:?}) in the input", .expected.x, .expected.y)]
+    MovedPoint {
+        /// The point.
+        corner: Corner,
+        /// Where the input has it.
+        expected: Point,
+    },
+    /// A vertex was added where there is a point already.
+    #[error("vertex {added} was added, but {} lies there already", .first.vertex)]
+    NotNew {
+        /// The added vertex.
+        added: Corner,
+        /// The first point at the same place.
+        first: Corner,
+    },
+    /// More subsegments than ids can name.
+    #[error("{given} subsegments, but at most {limit} are possible")]
+    TooManySubsegments {
+        /// Number of subsegments given.
+        given: usize,
+        /// Largest number.
+        limit: usize,
+    },
+    /// An end of a subsegment names no point.
+    #[error("subsegment {subsegment} names vertex {vertex}, but there are {points} points")]
+    SubsegmentOutOfRange {
+        /// Index of the subsegment.
+        subsegment: usize,
+        /// The end.
+        vertex: VertexId,
+        /// Number of points.
+        points: usize,
+    },
+    /// A subsegment has no length.
+    #[error("subsegment {subsegment}, {}, has no length", list(.ends))]
+    EmptySubsegment {
+        /// Index of the subsegment.
+        subsegment: usize,
+        /// Its ends.
+        ends: [Corner; 2],
+    },
+    /// The same subsegment is listed several times.
+    #[error("subsegment {} is listed more than once", list(.edge))]
+    RepeatedSubsegment {
+        /// Its ends.
+        edge: [Corner; 2],
+    },
+    /// Two subsegments cross or overlap.
+    #[error("subsegments {} and {} cross or overlap", list(&.edges[0]), list(&.edges[1]))]
+    CrossingSubsegments {
+        /// The ends of each.
+        edges: [[Corner; 2]; 2],
+    },
+    /// A vertex lies inside a subsegment.
+    #[error("vertex {corner} lies inside subsegment {}", list(.edge))]
+    VertexOnSubsegment {
+        /// The vertex.
+        corner: Corner,
+        /// The subsegment.
+        edge: [Corner; 2],
+    },
+    /// A segment of the input is no chain of subsegments.
+    #[error("segment {segment}, {}, is no chain of subsegments: it ends at {reached}", list(.ends))]
+    BrokenChain {
+        /// Index of the segment.
+        segment: usize,
+        /// Its ends.
+        ends: [Corner; 2],
+        /// How far subsegments follow it.
+        reached: Corner,
+    },
+    /// A segment is led over a vertex that does not lie on it, though nothing crosses it.
+    #[error("segment {segment}, {}, is bent to {corner}, where no other crosses it", list(.ends))]
+    BentChain {
+        /// Index of the segment.
+        segment: usize,
+        /// Its ends.
+        ends: [Corner; 2],
+        /// The vertex.
+        corner: Corner,
+    },
+    /// A subsegment is part of no segment.
+    #[error("subsegment {} is part of no segment", list(.edge))]
+    StraySubsegment {
+        /// Its ends.
+        edge: [Corner; 2],
+    },
+    /// A vertex was added where no segments cross.
+    #[error("vertex {corner} was added where no two segments cross")]
+    NeedlessVertex {
+        /// The vertex.
+        corner: Corner,
+    },
+    /// An edge has one triangle but bounds nothing.
+    #[error("edge {} of triangle {} has no other triangle, but does not bound the domain",
+        list(.edge), .triangle.raw())]
+    OpenEdge {
+        /// The edge.
+        edge: [Corner; 2],
+        /// Its triangle.
+        triangle: TriangleId,
+    },
+    /// The domain lies to the left of an edge, but no triangle does.
+    #[error("the domain lies left of edge {}, but no triangle does", list(.edge))]
+    Uncovered {
+        /// The edge.
+        edge: [Corner; 2],
+    },
+    /// A triangle lies to the left of an edge, but the domain does not.
+    #[error("triangle {} lies left of edge {}, but the domain does not", .triangle.raw(), list(.edge))]
+    OutsideDomain {
+        /// The edge.
+        edge: [Corner; 2],
+        /// The triangle.
+        triangle: TriangleId,
+    },
+    /// A triangle lies in a hole.
+    #[error("triangle {}, left of edge {}, lies in hole {hole} of seed ({:?}, {:?})",
+        .triangle.raw(), list(.edge), .at.x, .at.y)]
+    FilledHole {
+        /// Index of the hole.
+        hole: usize,
+        /// Its seed.
+        at: Point,
+        /// The edge.
+        edge: [Corner; 2],
+        /// The triangle.
+        triangle: TriangleId,
     },
 }
 

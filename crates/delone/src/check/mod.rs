@@ -30,19 +30,22 @@
 //! *Cost*: linear, without sorting by coordinates; memory about 40 bytes a triangle. Once something
 //! is wrong, further linear passes look for what a reader would name as the reason.
 //!
-//! This module does not check constraints, holes, or neighbour tables read from a file.
+//! [`verify_domain`] does the same for constrained triangulations of domains. Neighbour tables read from
+//! a file are not checked.
 
 mod adjacency;
 mod boundary;
 mod certificate;
 mod defect;
+mod domain;
 mod pace;
 mod positions;
 mod quality;
 mod stars;
 
-pub use certificate::{Certificate, Verdict};
+pub use certificate::{Certificate, DomainNumbers, Verdict};
 pub use defect::{Corner, Defect, Defects};
+pub use domain::{DomainMesh, verify_domain};
 pub use quality::{Quality, Shape, quality};
 
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
@@ -140,7 +143,7 @@ impl Verifier<'_> {
         }
         let vertices = positions::count_distinct(self.points, &mut self.pace)?;
         let edges = vertices.saturating_sub(1);
-        self.certify(vertices, edges, edges)
+        Ok(Verdict::Right(self.certificate(vertices, edges, edges)?))
     }
 
     /// Verifies a set with triangles.
@@ -154,12 +157,13 @@ impl Verifier<'_> {
         let used = self.check_points()?;
         let (points, triangles) = (self.points, self.triangles);
         let adjacency = Adjacency::find(points, triangles, &mut self.pace, &mut self.defects)?;
-        self.check_edges(&adjacency, &upright)?;
+        self.check_edges(&adjacency, &upright, |_| false)?;
         let hull_edges = boundary::check(points, &adjacency, &mut self.pace, &mut self.defects)?;
         if self.defects.is_empty() {
             let vertices = used.iter().filter(|&&u| u).count();
             let edges = (3 * triangles.len() + hull_edges) / 2;
-            return self.certify(vertices, edges, hull_edges);
+            let certificate = self.certificate(vertices, edges, hull_edges)?;
+            return Ok(Verdict::Right(certificate));
         }
         self.explain(&adjacency, &used)?;
         Ok(Verdict::Wrong(self.defects))
@@ -234,11 +238,18 @@ impl Verifier<'_> {
         Ok(used)
     }
 
-    /// Tests the edges between two counter-clockwise triangles, where the predicate has a meaning.
-    fn check_edges(&mut self, adjacency: &Adjacency, upright: &[bool]) -> Result<(), Error> {
+    /// Tests the edges between two counter-clockwise triangles, where the predicate has a meaning,
+    /// unless they are constrained.
+    fn check_edges(
+        &mut self,
+        adjacency: &Adjacency,
+        upright: &[bool],
+        is_constrained: impl Fn(HalfEdgeId) -> bool,
+    ) -> Result<(), Error> {
         for h in adjacency.half_edges() {
             self.pace.step()?;
-            let Some(twin) = adjacency.twin(h).filter(|&twin| h < twin) else {
+            let twin = adjacency.twin(h).filter(|&twin| h < twin);
+            let Some(twin) = twin.filter(|_| !is_constrained(h)) else {
                 continue;
             };
             let triangles = [h, twin].map(HalfEdgeId::triangle);
@@ -277,23 +288,25 @@ impl Verifier<'_> {
         stars::check(self.points, adjacency, &mut self.pace, &mut self.defects)
     }
 
-    fn certify(
+    /// Sums up what has been proven right.
+    fn certificate(
         mut self,
         vertices: usize,
         edges: usize,
         hull_edges: usize,
-    ) -> Result<Verdict, Error> {
+    ) -> Result<Certificate, Error> {
         let hash = self.hash()?;
         self.pace.finish();
-        Ok(Verdict::Right(Certificate {
+        Ok(Certificate {
             points: self.points.len(),
             vertices,
             duplicates: self.points.len() - vertices,
             triangles: self.triangles.len(),
             edges,
             hull_edges,
+            domain: None,
             hash,
-        }))
+        })
     }
 
     /// Hashes triangle by triangle, so that it can be cancelled.

@@ -1,14 +1,11 @@
-//! Cases and checks for fuzzing: small point sets, dense in degeneracy, built in several ways.
-//!
-//! The `fuzz-points` program runs millions of cases in one process; the targets of `fuzz/` let a
-//! coverage-guided fuzzer choose the points. Both call [`check`] and, on failure, [`shrink`].
+//! Small point sets, triangulated by both builders, and compared with each other and with the
+//! definition.
 
+use super::{Case, array, guarded, without_one};
 use crate::generate::{Kind, Random};
 use crate::naive::{naive_delaunay, sorted_triangles};
 use delone::delaunay::Incremental;
 use delone::{Delaunay, Error, Point, Triangulation};
-use std::fmt::Write as _;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// With what a result is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,7 +27,7 @@ pub fn case(seed: u64, max_points: usize, points: &mut Vec<Point>) {
 }
 
 /// Draws a kind. Exponents outside the ordinary class make arithmetic slow, so those are rare.
-fn kind(random: &mut Random) -> Kind {
+pub(super) fn kind(random: &mut Random) -> Kind {
     let side = 3 + random.below(6) as u32;
     match random.below(64) {
         0..48 => Kind::Lattice { side },
@@ -89,8 +86,7 @@ fn point_from_bits(bytes: &[u8]) -> Point {
 /// # Errors
 /// What went wrong.
 pub fn check(points: &[Point], depth: Depth) -> Result<(), String> {
-    catch_unwind(AssertUnwindSafe(|| check_result(points, depth)))
-        .unwrap_or_else(|_| Err("panicked".to_owned()))
+    guarded(|| check_result(points, depth))
 }
 
 fn check_result(points: &[Point], depth: Depth) -> Result<(), String> {
@@ -136,33 +132,19 @@ fn compare_incremental(t: &Triangulation, points: &[Point], seed: u64) -> Result
     }
 }
 
-/// Drops points as long as `fails` holds for the rest, and returns what is left.
-pub fn shrink(points: &[Point], fails: impl Fn(&[Point]) -> bool) -> Vec<Point> {
-    let mut left = points.to_vec();
-    let mut i = 0;
-    while i < left.len() {
-        let mut fewer = left.clone();
-        fewer.remove(i);
-        if fails(&fewer) {
-            (left, i) = (fewer, 0);
-        } else {
-            i += 1;
-        }
+impl Case for Vec<Point> {
+    fn smaller(&self) -> Vec<Self> {
+        without_one(self).collect()
     }
-    left
-}
 
-/// Writes points as a Rust array, exactly: Rust prints the shortest decimal that reads back alike.
-pub fn as_source(points: &[Point]) -> String {
-    let mut source = "[\n".to_owned();
-    for Point { x, y } in points {
-        let _ = writeln!(source, "    ({x:?}, {y:?}),");
+    fn as_source(&self) -> String {
+        format!("let points = {};", array(self))
     }
-    source + "]"
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::shrink;
     use super::*;
 
     #[test]
@@ -195,17 +177,16 @@ mod tests {
     fn shrinking_keeps_what_matters() {
         let points: Vec<_> = (0..10).map(|i| Point::new(f64::from(i), 0.0)).collect();
         let culprits = [points[3], points[7]];
-        let fails = |left: &[Point]| culprits.iter().all(|p| left.contains(p));
+        let fails = |left: &Vec<Point>| culprits.iter().all(|p| left.contains(p));
         assert_eq!(shrink(&points, fails), culprits);
     }
 
     #[test]
     fn source_is_exact() {
-        let points = [Point::new(0.1 + 0.2, 5e-324), Point::new(-1e300, 2.0)];
-        let source = as_source(&points);
+        let points = vec![Point::new(0.1 + 0.2, 5e-324), Point::new(-1e300, 2.0)];
         assert_eq!(
-            source,
-            "[\n    (0.30000000000000004, 5e-324),\n    (-1e300, 2.0),\n]"
+            points.as_source(),
+            "let points = [\n    (0.30000000000000004, 5e-324),\n    (-1e300, 2.0),\n];"
         );
     }
 }

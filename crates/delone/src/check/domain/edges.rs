@@ -1,0 +1,109 @@
+//! Which edges the graph has: the claimed subsegments and, under [`DomainRule::Hull`], the hull.
+
+use super::super::{Corner, Defect, Defects, pace::Pace};
+use super::graph::Edge;
+use super::places::{Place, Places};
+use super::sort::sort;
+use crate::predicates::{Orientation, orient2d};
+use crate::{DomainRule, Error, Point, VertexId};
+
+/// Most edges whose darts 32 bits can number.
+const MOST_EDGES: usize = u32::MAX as usize / 2;
+
+/// Reports subsegments that have no two ends, and too many of them.
+pub(super) fn check_ends(
+    points: &[Point],
+    subsegments: &[[VertexId; 2]],
+    pace: &mut Pace,
+    defects: &mut Defects,
+) -> Result<(), Error> {
+    // The hull has as many edges as there are points, at most.
+    let limit = MOST_EDGES.saturating_sub(points.len());
+    if subsegments.len() > limit {
+        let given = subsegments.len();
+        defects.push(Defect::TooManySubsegments { given, limit });
+        return Ok(());
+    }
+    for (subsegment, ends) in subsegments.iter().enumerate() {
+        pace.step()?;
+        if let Some(&vertex) = ends.iter().find(|v| v.index() >= points.len()) {
+            defects.push(Defect::SubsegmentOutOfRange {
+                subsegment,
+                vertex,
+                points: points.len(),
+            });
+        } else if points[ends[0].index()] == points[ends[1].index()] {
+            let ends = ends.map(|v| Corner::new(points, v));
+            defects.push(Defect::EmptySubsegment { subsegment, ends });
+        }
+    }
+    Ok(())
+}
+
+/// Lists the edges of the graph, sorted and each once; reports subsegments that repeat.
+pub(super) fn collect(
+    places: &Places,
+    subsegments: &[[VertexId; 2]],
+    rule: DomainRule,
+    pace: &mut Pace,
+) -> Result<(Vec<Edge>, Vec<[Place; 2]>), Error> {
+    let mut edges = Vec::with_capacity(subsegments.len());
+    for ends in subsegments {
+        pace.step()?;
+        let [a, b] = ends.map(|v| places.of(v));
+        edges.push(Edge {
+            ends: [a.min(b), a.max(b)],
+            is_subsegment: true,
+        });
+    }
+    if rule == DomainRule::Hull {
+        edges.extend(hull(places, pace)?);
+    }
+    // Of equal edges the subsegment comes first, and stays.
+    sort(&mut edges, pace, |a, b| {
+        a.ends
+            .cmp(&b.ends)
+            .then(b.is_subsegment.cmp(&a.is_subsegment))
+    })?;
+    let both = |pair: &[Edge]| pair[0].ends == pair[1].ends && pair[1].is_subsegment;
+    let repeated = edges.windows(2).filter(|pair| both(pair));
+    let repeated = repeated.map(|pair| pair[0].ends).collect();
+    edges.dedup_by_key(|edge| edge.ends);
+    Ok((edges, repeated))
+}
+
+/// Lists the edges of the convex hull, from each place on it to the next; none if there is no inside.
+fn hull(places: &Places, pace: &mut Pace) -> Result<Vec<Edge>, Error> {
+    let lower = chain(places, Orientation::Right, pace)?;
+    let upper = chain(places, Orientation::Left, pace)?;
+    if lower == upper {
+        return Ok(Vec::new());
+    }
+    let steps = |chain: &[Place]| {
+        let ends = chain.windows(2).map(|step| [step[0], step[1]]);
+        ends.map(|ends| Edge {
+            ends,
+            is_subsegment: false,
+        })
+        .collect::<Vec<_>>()
+    };
+    Ok([steps(&lower), steps(&upper)].concat())
+}
+
+/// Returns the chain from the first place to the last that never turns to the side `forbidden`.
+fn chain(places: &Places, forbidden: Orientation, pace: &mut Pace) -> Result<Vec<Place>, Error> {
+    let mut chain: Vec<Place> = Vec::new();
+    for place in places.all() {
+        pace.step()?;
+        while let [.., a, b] = chain[..] {
+            let [a, b, c] = [a, b, place].map(|p| places.at(p));
+            if orient2d(a, b, c) != forbidden {
+                break;
+            }
+            pace.step()?;
+            chain.pop();
+        }
+        chain.push(place);
+    }
+    Ok(chain)
+}

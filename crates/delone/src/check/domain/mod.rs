@@ -1,0 +1,416 @@
+//! Domains: is this *the* constrained Delaunay triangulation of what a user drew?
+//!
+//! [`verify_domain`] compares a claimed mesh with the input itself, points, segments, holes and rule,
+//! and trusts nothing else; like [`verify`](super::verify) it shares the predicates, and only them,
+//! with the builders.
+//!
+//! # What is tested
+//! 1. The points are those of the input, followed by added ones that are new.
+//! 2. Triangles are strictly counter-clockwise; an edge has one, or two that run through it in
+//!    opposite directions; of equal points at most one is a corner.
+//! 3. The *graph*, subsegments and under [`DomainRule::Hull`] the edges of the convex hull, is planar:
+//!    edges share ends only, and no point lies inside one ([`sweep`]).
+//! 4. Every segment is a chain of subsegments, near to it as rounding demands ([`drift`]), bent only
+//!    where segments cross or have crossed ([`bends`]); every subsegment is part of a segment; every
+//!    added vertex lies where two cross ([`chains`]).
+//! 5. The faces of the graph ([`faces`]) that the rule takes in ([`rule`]), less those with a hole's
+//!    seed ([`area`]), are the domain. A triangle lies to the left of a dart of the graph if and only
+//!    if the domain does; an edge with one triangle is an edge of the graph ([`cover`]).
+//! 6. Every point in the domain or on its boundary is a corner, or equal to one.
+//! 7. Every edge that has two triangles and is no subsegment is locally Delaunay under the symbolic
+//!    perturbation.
+//!
+//! # Why that is enough
+//! *Domain.* By 3 the graph cuts the plane into faces; triangulation plays no part in them. A segment
+//! separates what its chain does, by 4. All rules speak of what cannot be reached, or only by so many
+//! crossings, without crossing segments: of faces. With the hull in the graph that holds for
+//! [`DomainRule::Hull`] too, whose flood from a seed ends at the hull: a part of the hull that no
+//! segment bounds is a face as well, and without inside there is no hull and no face.
+//!
+//! *Cover.* Let p lie on no edge. The number of triangles that contain p is the sum of their winding
+//! numbers around p, in which edges with two triangles cancel. What is left are the half-edges without
+//! twin; by 5 they are the darts with the domain to their left and not to their right. The winding
+//! numbers of those around p sum up to that of the boundaries of the domain's faces, since darts with
+//! the domain on both sides cancel: one if p lies in the domain, else zero. So triangles cover the
+//! domain once and nothing else. No triangles at all are right just if no dart has the domain to
+//! its left, that is if the domain is empty: every face but the outer one is bounded by darts.
+//!
+//! *Constraints.* A subsegment with the domain on both sides has, by 5, triangles on both sides: it is
+//! an edge. By 6 no vertex lies inside a triangle or an edge, for its own triangles would overlap
+//! those around it, or it would lie inside an edge of the graph.
+//!
+//! *Delaunay.* Cut the domain along the subsegments. By 7 every other edge is locally Delaunay, and
+//! a triangulation with all constrained edges for which that holds is the constrained Delaunay
+//! triangulation (Lee and Lin 1986); under the perturbation there is one only.
+//!
+//! *Cost*: O((n + m) log (n + m)) for n points and m subsegments, with the exceptions of [`chains`];
+//! memory about 150 bytes a point and 40 a triangle. The verification ends after the first group of
+//! tests that finds a defect where the next ones would have no meaning.
+//!
+//! This module does not check regions, nor that added vertices are rounded correctly.
+
+mod area;
+mod bends;
+mod chains;
+mod cover;
+mod drift;
+mod edges;
+mod faces;
+mod graph;
+mod input;
+mod places;
+mod rule;
+mod sort;
+mod sweep;
+mod union;
+
+use super::certificate::DomainNumbers;
+use super::{Corner, Defect, Defects, Verdict, Verifier, adjacency, pace::Pace, require_points};
+use crate::{DomainRule, Error, Point, Pslg, VertexId, Watch};
+use adjacency::Adjacency;
+use area::Area;
+use chains::{Chains, Claimed};
+use cover::Borders;
+use graph::{Dart, Graph};
+use places::{Place, Places};
+use sweep::{Below, Conflict};
+
+/// What is claimed to be the constrained Delaunay triangulation of a domain.
+#[derive(Clone, Copy)]
+pub struct DomainMesh<'a> {
+    points: &'a [Point],
+    triangles: &'a [[VertexId; 3]],
+    subsegments: &'a [[VertexId; 2]],
+    chains: Option<Claimed<'a>>,
+}
+
+impl<'a> DomainMesh<'a> {
+    /// Takes the points of the input, followed by those that were added; the triangles of the domain;
+    /// and the constrained edges, those outside the domain included.
+    pub fn new(
+        points: &'a [Point],
+        triangles: &'a [[VertexId; 3]],
+        subsegments: &'a [[VertexId; 2]],
+    ) -> Self {
+        Self {
+            points,
+            triangles,
+            subsegments,
+            chains: None,
+        }
+    }
+
+    /// Claims for each segment the chain of its vertices, from its first end to its second, which
+    /// will be verified; a segment without length has one.
+    ///
+    /// Without this, chains are found by the verifier, which takes one that fits where rounding has
+    /// left several.
+    pub fn with_chains(self, chains: &'a dyn Fn(usize) -> &'a [VertexId]) -> Self {
+        Self {
+            chains: Some(chains),
+            ..self
+        }
+    }
+}
+
+/// Decides whether `mesh` is the canonical constrained Delaunay triangulation of the domain that
+/// `rule` makes of `input`.
+///
+/// Triangles and subsegments may come in any order, rotation and direction. Of several equal points
+/// any one may be the corner, but only one.
+///
+/// ```
+/// use delone::check::{self, DomainMesh};
+/// use delone::{DomainRule, Pslg, VertexId};
+///
+/// let mut input = Pslg::from_points([(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (1.0, 9.0)]);
+/// input.add_ring([0, 1, 2]);
+/// let triangles = [[0, 1, 2].map(VertexId::from)];
+/// let mesh = DomainMesh::new(&input.points, &triangles, &input.segments);
+/// let verdict = check::verify_domain(&input, DomainRule::Carve, &mesh, &())?;
+/// let domain = verdict.into_result()?.domain.expect("numbers");
+/// assert_eq!((domain.components, domain.carved), (1, 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// What is wrong with the input, as the builder says it: [`Error::NotFinite`] (for added points too),
+/// [`Error::TooManyPoints`], [`Error::BadSegment`], [`Error::TooManySegments`], [`Error::BadPolygon`],
+/// [`Error::OpenPolygon`], [`Error::SeedNotFinite`] and [`Error::SeedOnSegment`] for holes; and
+/// [`Error::Cancelled`] if `watch` asks for it. A wrong mesh is no error but [`Verdict::Wrong`].
+///
+/// *Cost*: O(n log n) for n points and subsegments; a few seconds for a million on one thread.
+pub fn verify_domain(
+    input: &Pslg,
+    rule: DomainRule,
+    mesh: &DomainMesh,
+    watch: &dyn Watch,
+) -> Result<Verdict, Error> {
+    let mut pace = Pace::new(watch, work(input, mesh));
+    input::require(input, &mut pace)?;
+    require_points(mesh.points, &mut pace)?;
+    let verifier = Verifier {
+        points: mesh.points,
+        triangles: mesh.triangles,
+        pace,
+        defects: Defects::default(),
+    };
+    DomainVerifier {
+        input,
+        rule,
+        mesh,
+        verifier,
+    }
+    .everything()
+}
+
+/// Estimates the steps of a verification without defects.
+fn work(input: &Pslg, mesh: &DomainMesh) -> u64 {
+    let [points, triangles, subsegments] = [
+        mesh.points.len(),
+        mesh.triangles.len(),
+        mesh.subsegments.len(),
+    ]
+    .map(|n| n as u64);
+    let sorting = |n: u64| n * u64::from(n.max(1).ilog2().saturating_sub(9));
+    let per_triangle = 4 + 3 * 3 + adjacency::STEPS_PER_TRIANGLE;
+    let per_segment = 3 * input.segments.len() as u64;
+    12 * points
+        + sorting(points)
+        + 25 * subsegments
+        + sorting(subsegments)
+        + per_segment
+        + per_triangle * triangles
+}
+
+/// One verification under way.
+struct DomainVerifier<'v, 'm> {
+    input: &'v Pslg,
+    rule: DomainRule,
+    mesh: &'v DomainMesh<'m>,
+    verifier: Verifier<'v>,
+}
+
+impl DomainVerifier<'_, '_> {
+    fn everything(mut self) -> Result<Verdict, Error> {
+        self.check_ids()?;
+        if self.is_wrong() {
+            // Without corners and ends there is nothing to speak of.
+            return Ok(self.wrong());
+        }
+        let places = Places::find(self.mesh.points, &mut self.verifier.pace)?;
+        input::require_closed(self.input, &places, &mut self.verifier.pace)?;
+        let corners = self.check_places(&places)?;
+        let graph = self.graph(&places)?;
+        let borders = self.check_triangles(&graph)?;
+        let Some(below) = self.check_plane(&graph)? else {
+            return Ok(self.wrong());
+        };
+        let chains = self.check_chains(&graph)?;
+        if self.is_wrong() {
+            // Without segments there is no domain.
+            return Ok(self.wrong());
+        }
+        let area = self.area(&graph, &below, &chains)?;
+        borders.check(&mut self.verifier, &graph, &area, &self.input.holes)?;
+        self.check_presence(&graph, &below, &area, &corners)?;
+        if self.is_wrong() {
+            return Ok(self.wrong());
+        }
+        let numbers = self.numbers(&graph, &area, &corners)?;
+        let vertices = places.len();
+        let edges = (3 * self.mesh.triangles.len() + borders.count()) / 2;
+        let certificate = self
+            .verifier
+            .certificate(vertices, edges, borders.count())?;
+        Ok(Verdict::Right(certificate.of_domain(numbers)))
+    }
+
+    fn is_wrong(&self) -> bool {
+        !self.verifier.defects.is_empty()
+    }
+
+    fn wrong(self) -> Verdict {
+        Verdict::Wrong(self.verifier.defects)
+    }
+
+    /// Requires the points of the input, and corners and ends among them.
+    fn check_ids(&mut self) -> Result<(), Error> {
+        let (given, expected) = (self.mesh.points.len(), self.input.points.len());
+        if given < expected {
+            let defect = Defect::TooFewPoints { given, expected };
+            self.verifier.defects.push(defect);
+            return Ok(());
+        }
+        for (v, &expected) in self.input.points.iter().enumerate() {
+            self.verifier.pace.step()?;
+            let corner = self.verifier.corner(VertexId::new(v));
+            if corner.at != expected {
+                let defect = Defect::MovedPoint { corner, expected };
+                self.verifier.defects.push(defect);
+            }
+        }
+        self.verifier.check_corners()?;
+        let Verifier { pace, defects, .. } = &mut self.verifier;
+        edges::check_ends(self.mesh.points, self.mesh.subsegments, pace, defects)
+    }
+
+    /// Requires one corner a place, and added points at places of their own; returns the places that
+    /// are corners.
+    fn check_places(&mut self, places: &Places) -> Result<Vec<bool>, Error> {
+        let points = self.mesh.points.len();
+        for v in (self.input.points.len()..points).map(VertexId::new) {
+            self.verifier.pace.step()?;
+            let [added, first] = [v, places.vertex(places.of(v))].map(|v| self.verifier.corner(v));
+            if first != added {
+                self.verifier.defects.push(Defect::NotNew { added, first });
+            }
+        }
+        let mut corners: Vec<Option<VertexId>> = vec![None; places.len()];
+        for &v in self.mesh.triangles.as_flattened() {
+            self.verifier.pace.step()?;
+            let first = *corners[places.of(v) as usize].get_or_insert(v);
+            if first != v {
+                let corners = [first.min(v), first.max(v)].map(|v| self.verifier.corner(v));
+                self.verifier
+                    .defects
+                    .push(Defect::SharedPosition { corners });
+            }
+        }
+        Ok(corners.iter().map(Option::is_some).collect())
+    }
+
+    fn graph<'p>(&mut self, places: &'p Places<'p>) -> Result<Graph<'p>, Error> {
+        let pace = &mut self.verifier.pace;
+        let (edges, repeated) = edges::collect(places, self.mesh.subsegments, self.rule, pace)?;
+        for ends in repeated {
+            let edge = ends.map(|end| places.corner(end));
+            self.verifier
+                .defects
+                .push(Defect::RepeatedSubsegment { edge });
+        }
+        Graph::new(places, edges, &mut self.verifier.pace)
+    }
+
+    /// Tests triangles and the edges between them.
+    fn check_triangles(&mut self, graph: &Graph) -> Result<Borders, Error> {
+        let verifier = &mut self.verifier;
+        let upright = verifier.check_orientations()?;
+        let Verifier { pace, defects, .. } = verifier;
+        let adjacency = Adjacency::find(self.mesh.points, self.mesh.triangles, pace, defects)?;
+        let borders = Borders::find(verifier, graph, &adjacency)?;
+        verifier.check_edges(&adjacency, &upright, |h| borders.is_constrained(h))?;
+        Ok(borders)
+    }
+
+    /// Tests whether the graph is planar, and finds out what lies where.
+    fn check_plane(&mut self, graph: &Graph) -> Result<Option<Below>, Error> {
+        let found = sweep::sweep(graph, &self.input.holes, &mut self.verifier.pace)?;
+        let edge = |edge: usize| graph.corners(Dart::rightward(edge));
+        let conflict = match found {
+            Ok(below) => return Ok(Some(below)),
+            Err(conflict) => conflict,
+        };
+        self.verifier.defects.push(match conflict {
+            Conflict::Edges(edges) => Defect::CrossingSubsegments {
+                edges: edges.map(edge),
+            },
+            Conflict::Place(place, inside) => Defect::VertexOnSubsegment {
+                corner: graph.places.corner(place),
+                edge: edge(inside),
+            },
+        });
+        Ok(None)
+    }
+
+    /// Tests segments and added vertices.
+    fn check_chains(&mut self, graph: &Graph) -> Result<Chains, Error> {
+        let segments = &self.input.segments;
+        let pace = &mut self.verifier.pace;
+        let chains = Chains::find(graph, segments, self.mesh.chains, pace)?;
+        let corner = |place: Place| graph.places.corner(place);
+        let ends = |segment: usize| segments[segment].map(|v| Corner::new(self.mesh.points, v));
+        let defects = &mut self.verifier.defects;
+        for &(segment, reached) in &chains.broken {
+            defects.push(Defect::BrokenChain {
+                segment,
+                ends: ends(segment),
+                reached: corner(reached),
+            });
+        }
+        for (segment, place) in chains.bends.unfounded() {
+            defects.push(Defect::BentChain {
+                segment,
+                ends: ends(segment),
+                corner: corner(place),
+            });
+        }
+        for edge in stray(graph, &chains) {
+            let edge = graph.corners(Dart::rightward(edge));
+            defects.push(Defect::StraySubsegment { edge });
+        }
+        self.check_added(graph, &chains)?;
+        Ok(chains)
+    }
+
+    /// Requires a reason for every added vertex: today, that segments cross there.
+    fn check_added(&mut self, graph: &Graph, chains: &Chains) -> Result<(), Error> {
+        for v in (self.input.points.len()..self.mesh.points.len()).map(VertexId::new) {
+            self.verifier.pace.step()?;
+            if !chains.bends.is_crossing(graph.places.of(v)) {
+                let corner = self.verifier.corner(v);
+                self.verifier
+                    .defects
+                    .push(Defect::NeedlessVertex { corner });
+            }
+        }
+        Ok(())
+    }
+
+    fn area(&mut self, graph: &Graph, below: &Below, chains: &Chains) -> Result<Area, Error> {
+        let pace = &mut self.verifier.pace;
+        Area::find(self.input, self.rule, graph, below, chains, pace)
+    }
+
+    /// Requires all places in the domain and on its boundary to be corners.
+    fn check_presence(
+        &mut self,
+        graph: &Graph,
+        below: &Below,
+        area: &Area,
+        corners: &[bool],
+    ) -> Result<(), Error> {
+        for place in graph.places.all() {
+            self.verifier.pace.step()?;
+            if !corners[place as usize] && area.touches(graph, below, place) {
+                let corner = graph.places.corner(place);
+                self.verifier.defects.push(Defect::MissingPoint { corner });
+            }
+        }
+        Ok(())
+    }
+
+    fn numbers(
+        &mut self,
+        graph: &Graph,
+        area: &Area,
+        corners: &[bool],
+    ) -> Result<DomainNumbers, Error> {
+        let [components, holes] = area.count_parts(graph, &mut self.verifier.pace)?;
+        Ok(DomainNumbers {
+            added: self.mesh.points.len() - self.input.points.len(),
+            carved: corners.iter().filter(|&&is_corner| !is_corner).count(),
+            subsegments: self.mesh.subsegments.len(),
+            components,
+            holes,
+        })
+    }
+}
+
+/// Visits the subsegments that are part of no segment.
+fn stray(graph: &Graph, chains: &Chains) -> impl Iterator<Item = usize> {
+    let edges = graph.edges().iter().zip(&chains.owners).enumerate();
+    edges
+        .filter(|(_, (edge, owner))| edge.is_subsegment && owner.is_none())
+        .map(|(edge, _)| edge)
+}

@@ -1,0 +1,239 @@
+//! Small domains: points as in [`points`](super::points), drawn upon at random.
+
+use super::points::{kind, points_from_bytes};
+use super::{Case, array, without_one};
+use crate::generate::Random;
+use delone::{DomainRule, Point, Pslg, Region, SegmentPolicy, VertexId};
+use std::ops::Range;
+
+/// A domain, and how it is to be triangulated.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Domain {
+    /// What is drawn.
+    pub pslg: Pslg,
+    /// What is to be done with crossings.
+    pub crossings: SegmentPolicy,
+    /// What is to be kept.
+    pub rule: DomainRule,
+}
+
+const RULES: [DomainRule; 3] = [DomainRule::Hull, DomainRule::Carve, DomainRule::EvenOdd];
+
+/// Fills `domain` with the case that `seed` names, of at most so many points and segments.
+pub fn case(seed: u64, max_points: usize, max_segments: usize, domain: &mut Domain) {
+    let r = &mut Random::new(seed);
+    domain.crossings = r.choose(&[
+        SegmentPolicy::Split,
+        SegmentPolicy::Split,
+        SegmentPolicy::Split,
+        SegmentPolicy::Error,
+    ]);
+    domain.rule = r.choose(&RULES);
+    let pslg = &mut domain.pslg;
+    let n = 1 + r.below(max_points);
+    kind(r).fill(&mut pslg.points, n, r);
+    place(&mut pslg.points, r);
+    pslg.segments.clear();
+    pslg.polygons.clear();
+    draw(pslg, r.below(max_segments + 1), r);
+    if r.below(8) == 0 {
+        repeat(pslg, r);
+    }
+    plant(pslg, r);
+}
+
+/// Leaves the points where they are, tilts them, or moves them to where maps are.
+fn place(points: &mut [Point], r: &mut Random) {
+    let (sin, cos) = (r.unit() * std::f64::consts::TAU).sin_cos();
+    let tilted = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+    let on_map = |p: Point| Point::new(p.x * 0.1 + 500_000.1, p.y * 0.1 + 5_400_000.2);
+    let moved: &dyn Fn(Point) -> Point = match r.below(8) {
+        0 | 1 => &tilted,
+        2 => &on_map,
+        3 => &|p| on_map(tilted(p)),
+        _ => return,
+    };
+    let is_finite = |&p: &Point| moved(p).is_finite();
+    if points.iter().all(is_finite) {
+        points.iter_mut().for_each(|p| *p = moved(*p));
+    }
+}
+
+/// Draws loose segments, lines, or rings, all of which may share points, cross and overlap.
+fn draw(pslg: &mut Pslg, segments: usize, r: &mut Random) {
+    let style = r.below(4);
+    let is_polygon = r.below(2) == 0;
+    while pslg.segments.len() < segments {
+        let first = pslg.segments.len();
+        let mut some = |least: usize, r: &mut Random| {
+            let count = least + r.below(5);
+            let line: Vec<_> = (0..count).map(|_| any_vertex(pslg, r)).collect();
+            line
+        };
+        match if style == 3 { r.below(3) } else { style } {
+            0 => {
+                let ends = [any_vertex(pslg, r), any_vertex(pslg, r)];
+                pslg.segments.push(ends);
+            }
+            1 => {
+                let line = some(2, r);
+                pslg.add_polyline(line);
+            }
+            _ => {
+                let ring = some(2, r);
+                pslg.add_ring(ring);
+                if is_polygon {
+                    add_to_polygon(pslg, first, r);
+                }
+            }
+        }
+    }
+}
+
+fn any_vertex(pslg: &Pslg, r: &mut Random) -> VertexId {
+    VertexId::new(r.below(pslg.points.len()))
+}
+
+/// Makes a polygon of the segments from `first` on, or adds them to the one before.
+fn add_to_polygon(pslg: &mut Pslg, first: usize, r: &mut Random) {
+    let end = pslg.segments.len();
+    match pslg.polygons.last_mut() {
+        Some(last) if last.end == first && r.below(3) == 0 => last.end = end,
+        _ => pslg.polygons.push(first..end),
+    }
+}
+
+/// Repeats some segments, in either direction.
+fn repeat(pslg: &mut Pslg, r: &mut Random) {
+    for i in 0..pslg.segments.len() {
+        let [a, b] = pslg.segments[i];
+        match r.below(4) {
+            0 => pslg.segments.push([a, b]),
+            1 => pslg.segments.push([b, a]),
+            _ => {}
+        }
+    }
+}
+
+/// Plants the seeds of holes and regions, more often between points than upon them.
+fn plant(pslg: &mut Pslg, r: &mut Random) {
+    let mut seed = |r: &mut Random| {
+        let [a, b, c] = [0; 3].map(|_| pslg.points[r.below(pslg.points.len())]);
+        let middle = |a: f64, b: f64| a / 2.0 + b / 2.0;
+        let ab = Point::new(middle(a.x, b.x), middle(a.y, b.y));
+        match r.below(8) {
+            0 => a,
+            1 => ab,
+            2 => Point::new(ab.x + 1.0, ab.y - 0.25),
+            _ => Point::new(middle(ab.x, c.x), middle(ab.y, c.y)),
+        }
+    };
+    let mut some = |r: &mut Random| {
+        let count = r.below(6).saturating_sub(3);
+        let seeds: Vec<_> = (0..count).map(|_| seed(r)).collect();
+        seeds
+    };
+    let (holes, regions) = (some(r), some(r));
+    pslg.holes = holes;
+    pslg.regions = regions.into_iter().map(region).collect();
+}
+
+fn region(at: Point) -> Region {
+    Region {
+        at,
+        attribute: 1.0,
+        max_area: None,
+    }
+}
+
+/// Reads a domain from a fuzzer's bytes: policy and rule, a number of segments, their ends, whether
+/// they bound a polygon, and then [points](points_from_bytes), the first ones holes if asked for.
+pub fn domain_from_bytes(bytes: &[u8]) -> Domain {
+    let Some((&[mode, count], rest)) = bytes.split_first_chunk() else {
+        return Domain::default();
+    };
+    let segments = 2 * usize::from(count % 32).min(rest.len() / 2);
+    let (ends, rest) = rest.split_at(segments);
+    let points = points_from_bytes(rest);
+    let mut domain = Domain {
+        crossings: if mode & 1 == 0 {
+            SegmentPolicy::Split
+        } else {
+            SegmentPolicy::Error
+        },
+        rule: RULES[usize::from(mode >> 1) % 3],
+        ..Domain::default()
+    };
+    if points.is_empty() {
+        return domain;
+    }
+    let vertex = |&end: &u8| VertexId::new(usize::from(end) % points.len());
+    let pslg = &mut domain.pslg;
+    pslg.segments = ends.as_chunks().0.iter().map(|[a, b]| [vertex(a), vertex(b)]).collect();
+    if mode & 0x40 != 0 {
+        pslg.polygons.push(0..pslg.segments.len());
+    }
+    if mode & 0x80 != 0 {
+        pslg.holes = points[..1].to_vec();
+        pslg.regions = points[1..].first().map(|&at| region(at)).into_iter().collect();
+    }
+    pslg.points = points;
+    domain
+}
+
+impl Case for Domain {
+    fn smaller(&self) -> Vec<Self> {
+        let pslg = &self.pslg;
+        let parts = [
+            without_one(&pslg.polygons).map(|polygons| Pslg { polygons, ..pslg.clone() }).collect(),
+            without_one(&pslg.holes).map(|holes| Pslg { holes, ..pslg.clone() }).collect(),
+            without_one(&pslg.regions).map(|regions| Pslg { regions, ..pslg.clone() }).collect(),
+            (0..pslg.segments.len()).map(|s| without_segment(pslg, s)).collect(),
+            (0..pslg.points.len()).filter_map(|v| without_point(pslg, v)).collect::<Vec<_>>(),
+        ];
+        let with = |pslg| Self { pslg, ..self.clone() };
+        parts.into_iter().flatten().map(with).collect()
+    }
+
+    fn as_source(&self) -> String {
+        let Self { pslg, crossings, rule } = self;
+        let segments: Vec<_> = pslg.segments.iter().map(|s| s.map(|v| v.raw())).collect();
+        format!(
+            "let pslg = Pslg {{\n\
+             points: {}.map(Point::from).to_vec(),\n\
+             segments: {segments:?}.map(|s: [u32; 2]| s.map(VertexId::from)).to_vec(),\n\
+             polygons: vec!{:?},\n\
+             holes: vec!{:?},\n\
+             regions: vec!{:?},\n\
+             }};\n\
+             // SegmentPolicy::{crossings:?}, DomainRule::{rule:?}",
+            array(&pslg.points),
+            pslg.polygons,
+            pslg.holes,
+            pslg.regions,
+        )
+    }
+}
+
+fn without_segment(pslg: &Pslg, segment: usize) -> Pslg {
+    let mut fewer = pslg.clone();
+    fewer.segments.remove(segment);
+    let moved = |end: usize| end - usize::from(end > segment);
+    for Range { start, end } in &mut fewer.polygons {
+        (*start, *end) = (moved(*start), moved(*end));
+    }
+    fewer
+}
+
+/// Drops a point that is no end of a segment.
+fn without_point(pslg: &Pslg, point: usize) -> Option<Pslg> {
+    let mut fewer = pslg.clone();
+    fewer.points.remove(point);
+    for v in fewer.segments.as_flattened_mut() {
+        if v.index() == point {
+            return None;
+        }
+        *v = VertexId::new(v.index() - usize::from(v.index() > point));
+    }
+    Some(fewer)
+}
