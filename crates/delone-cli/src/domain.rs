@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use delone::{DomainRule, SegmentPolicy};
+use std::fmt;
 
 /// What to do where segments cross.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -25,11 +26,32 @@ pub enum Rule {
     EvenOdd,
 }
 
+impl fmt::Display for Rule {
+    /// Writes the name that the command line has for it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Hull => "hull",
+            Self::Carve => "carve",
+            Self::EvenOdd => "evenodd",
+        })
+    }
+}
+
 impl From<Crossings> for SegmentPolicy {
     fn from(crossings: Crossings) -> Self {
         match crossings {
             Crossings::Error => Self::Error,
             Crossings::Split => Self::Split,
+        }
+    }
+}
+
+impl From<DomainRule> for Rule {
+    fn from(rule: DomainRule) -> Self {
+        match rule {
+            DomainRule::Hull => Self::Hull,
+            DomainRule::Carve => Self::Carve,
+            DomainRule::EvenOdd => Self::EvenOdd,
         }
     }
 }

@@ -84,20 +84,13 @@ impl Outputs {
         Ok(())
     }
 
-    fn add_stream(&mut self, format: Format, content: Content) -> Result<(), Failure> {
-        let refusal = match (format, content) {
-            _ if self.stream.is_some() => {
-                "only one output can go to standard output; give the others a name"
-            }
-            (Format::Poly, Content::Mesh) => {
-                "standard output takes one file, and a .poly alone is no mesh: use node or ele"
-            }
-            _ => {
-                self.stream = Some(Target::from_arg("-", Some(format)));
-                return Ok(());
-            }
-        };
-        Err(Failure::Usage(refusal.to_owned()))
+    fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
+        if self.stream.is_some() {
+            let twice = "only one output can go to standard output; give the others a name";
+            return Err(Failure::Usage(twice.to_owned()));
+        }
+        self.stream = Some(Target::from_arg("-", Some(format)));
+        Ok(())
     }
 }
 
@@ -120,9 +113,9 @@ impl Content {
     fn fits(self, format: Format) -> bool {
         match self {
             Self::Points => format.writes_points(),
-            Self::Domain => format.writes_domain(),
+            Self::Domain => format.writes_segments(),
             Self::Mesh => format.writes_mesh(),
-            Self::Any => format.writes_points() || format.writes_domain() || format.writes_mesh(),
+            Self::Any => format.writes_points() || format.writes_segments() || format.writes_mesh(),
             Self::Picture => format.is_picture(),
         }
     }
@@ -169,7 +162,7 @@ impl Writing {
             };
             // A family of files cannot stand beside a device, so both names mean the stream.
             if path == Path::new("-") || path == Path::new("/dev/stdout") {
-                outputs.add_stream(format, content)?;
+                outputs.add_stream(format)?;
             } else {
                 let members = family::members(&path, format, content);
                 outputs.add_file(Target::from_arg(path, Some(format)), members)?;
@@ -185,7 +178,7 @@ impl Writing {
             return Err(content.misfit(Path::new("-"), Some(format)));
         }
         let mut outputs = Outputs::default();
-        outputs.add_stream(format, content)?;
+        outputs.add_stream(format)?;
         Ok(outputs)
     }
 

@@ -8,6 +8,7 @@ mod exit;
 mod files;
 mod interrupt;
 mod memory;
+mod numbering;
 mod progress;
 mod sample;
 mod stopwatch;

@@ -1,17 +1,16 @@
 //! `delone triangulate`: points and segments in, mesh, picture and figures out.
 
 mod build;
-mod numbering;
 mod report;
 
 use crate::exit::Failure;
 use crate::files::{self, Content, Input, Outputs, Reading, Writing};
+use crate::numbering::Numbering;
 use crate::progress::Progress;
 use crate::sample::Scene;
 use crate::timing::timed;
 use build::{Building, Built};
 use delone_io::{DomainData, Inherited, MeshView};
-use numbering::Numbering;
 use report::{Figures, Report, Seconds};
 use std::path::PathBuf;
 

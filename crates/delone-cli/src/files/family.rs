@@ -11,6 +11,7 @@ enum Part {
     Whole(Format),
     Corners,
     Coordinates,
+    Edges,
 }
 
 /// A file that is going to be written.
@@ -31,6 +32,8 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         (Format::Npy, Content::Mesh) => vec![
             whole(Part::Corners),
             sibling("points.npy", Part::Coordinates),
+            // This one, and the .poly below, only if there are segments.
+            sibling("segments.npy", Part::Edges),
         ],
         (Format::Npy, _) => vec![whole(Part::Coordinates)],
         (
@@ -41,7 +44,6 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
             Format::Ele,
             Format::Edge,
             Format::Neigh,
-            // Written if there are segments.
             Format::Poly,
         ]
         .map(|f| sibling(f.name(), Part::Whole(f)))

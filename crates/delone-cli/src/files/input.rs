@@ -39,6 +39,11 @@ impl Reading {
         delone_io::read_points(source, &self.options(), progress).map_err(unreadable)
     }
 
+    /// Reads points and what lies between them.
+    pub fn domain(&self, source: &Source, progress: &Progress) -> Result<DomainData, Failure> {
+        delone_io::read_domain(source, &self.options(), progress).map_err(unreadable)
+    }
+
     /// Reads points and triangles.
     pub fn mesh(&self, source: &Source, progress: &Progress) -> Result<MeshData, Failure> {
         delone_io::read_mesh(source, &self.options(), progress).map_err(unreadable)
@@ -163,19 +168,25 @@ impl Input {
         }
     }
 
+    /// Tells whether the input may bring segments.
+    pub fn brings_segments(&self) -> bool {
+        self.format.is_some_and(Format::reads_segments)
+    }
+
     /// Returns the files that are read, those beside it included.
     pub fn files(&self) -> Vec<PathBuf> {
         let Source::Path(path) = &self.source else {
             return Vec::new();
         };
-        let sibling = match self.format {
-            Some(Format::Node) => self.beside("ele"),
-            Some(Format::Ele) => self.beside("node"),
-            Some(Format::Poly) if names_no_points(&head(&self.source)) => self.beside("node"),
-            Some(Format::Npy) if self.holds_corners => self.beside("points.npy"),
-            _ => None,
+        let siblings: &[&str] = match self.format {
+            Some(Format::Node) => &["ele", "poly"],
+            Some(Format::Ele) => &["node", "poly"],
+            Some(Format::Poly) if names_no_points(&head(&self.source)) => &["node"],
+            Some(Format::Npy) if self.holds_corners => &["points.npy", "segments.npy"],
+            _ => &[],
         };
-        std::iter::once(path.clone()).chain(sibling).collect()
+        let siblings = siblings.iter().filter_map(|s| self.beside(s));
+        std::iter::once(path.clone()).chain(siblings).collect()
     }
 
     /// Reads the points, and says in words what is left unused of the rest.
@@ -188,7 +199,7 @@ impl Input {
             }
             (format, _) => {
                 let unused = match format {
-                    Some(Format::Poly) => {
+                    Some(format) if format.reads_segments() => {
                         Some("only the points are used, segments and holes are not")
                     }
                     Some(Format::Ele) => Some("only the points in the .node file are used"),

@@ -1,8 +1,8 @@
 //! From a domain to its triangulation: the fast way for bare points, the other one for segments.
 
-use super::numbering::Numbering;
 use crate::domain::{Crossings, Rule};
 use crate::exit::Failure;
+use crate::numbering::Numbering;
 use crate::progress::Progress;
 use crate::stopwatch::Stopwatch;
 use delone::{ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, Triangulation};
