@@ -30,7 +30,7 @@ pub struct DomainData {
 impl DomainData {
     /// Moves points, segments and polygons out, for triangulation; holes and regions are copied.
     ///
-    /// What stays are the attributes and markers that the result is to inherit.
+    /// What stays are the attributes and markers that the result is to [inherit](crate::Inherited).
     pub fn take_pslg(&mut self) -> Pslg {
         Pslg {
             points: std::mem::take(&mut self.vertices.points),

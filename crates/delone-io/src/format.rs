@@ -146,6 +146,11 @@ impl Format {
         )
     }
 
+    /// Tells whether [`write_domain`](crate::write_domain) can write segments in the format.
+    pub const fn writes_segments(self) -> bool {
+        matches!(self, Self::Poly | Self::GeoJson | Self::Svg | Self::Png)
+    }
+
     /// Tells whether the format is a picture.
     pub const fn is_picture(self) -> bool {
         matches!(self, Self::Svg | Self::Png)

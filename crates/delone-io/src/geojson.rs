@@ -2,10 +2,13 @@
 //!
 //! RFC 7946. Any of its objects may be the whole file. Heights become the attribute `z`; of the
 //! properties only `marker` is read, an integer for the segments of the feature. Empty and missing
-//! geometries are skipped. Coordinates are taken as those of the plane.
+//! geometries are skipped. Coordinates are taken as those of the plane. A polygon that is written keeps
+//! the direction of its rings.
 
 mod object;
 mod read;
 mod tree;
+mod write;
 
 pub(crate) use read::{read_domain, sniff};
+pub(crate) use write::{write_domain, write_mesh};

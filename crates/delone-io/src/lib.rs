@@ -38,6 +38,7 @@
 //! ```
 
 mod cancel;
+mod constraints;
 mod domain;
 mod edge;
 mod ele;
@@ -45,6 +46,7 @@ mod error;
 mod exact;
 mod format;
 mod geojson;
+mod inherit;
 mod mesh;
 mod neigh;
 mod node;
@@ -64,14 +66,16 @@ mod triangle_files;
 mod unfinished;
 mod vtu;
 mod wkt;
+mod write;
 
+pub use constraints::Constraints;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
 pub use format::Format;
-pub use mesh::{
-    MeshData, MeshView, PictureOptions, WriteOptions, read_mesh, write_mesh, write_points,
-};
+pub use inherit::Inherited;
+pub use mesh::{MeshData, MeshView, read_mesh};
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
 pub use source::Source;
 pub use target::Target;
 pub use unfinished::discard_unfinished_files;
+pub use write::{PictureOptions, WriteOptions, write_domain, write_mesh, write_points};

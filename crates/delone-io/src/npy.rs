@@ -100,13 +100,40 @@ pub(crate) fn read_mesh(
 
 /// Writes the triangles as `int32` (m, 3), or `int64` if there are too many vertices.
 pub(crate) fn write_triangles(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Error> {
+    let rows = mesh.triangles.iter().map(|t| t.map(|v| v.raw().into()));
+    write_integers(out, mesh, mesh.triangles.len(), rows)
+}
+
+/// Writes the constrained edges as `int32` (k, 3): their ends and their markers; `int64` if there are
+/// too many vertices.
+pub(crate) fn write_segments(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    markers: &[i32],
+) -> Result<(), Error> {
+    let edges = mesh.constraints.map_or(&[][..], |c| &c.edges);
+    let rows = edges.iter().zip(markers);
+    write_integers(
+        out,
+        mesh,
+        edges.len(),
+        rows.map(|([a, b], &marker)| [a.raw().into(), b.raw().into(), marker.into()]),
+    )
+}
+
+/// Writes rows of three integers, with as many bytes as the ids of vertices need.
+fn write_integers(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    num_rows: usize,
+    rows: impl Iterator<Item = [i64; 3]>,
+) -> Result<(), Error> {
     let small = mesh.points.len() <= i32::MAX as usize;
-    let descr = if small { "<i4" } else { "<i8" };
-    write_header(out, descr, mesh.triangles.len(), 3)?;
-    for corners in mesh.triangles {
-        for v in corners {
-            let index = i64::from(v.raw()).to_le_bytes();
-            out.bytes(if small { &index[..4] } else { &index })?;
+    let (descr, width) = if small { ("<i4", 4) } else { ("<i8", 8) };
+    write_header(out, descr, num_rows, 3)?;
+    for row in rows {
+        for value in row {
+            out.bytes(&value.to_le_bytes()[..width])?;
         }
         out.end_row()?;
     }

@@ -2,8 +2,9 @@
 //!
 //! *VTK File Formats*, <https://docs.vtk.org/en/latest/vtk_file_formats/index.html>. Written are the points
 //! with z = 0, the triangles, attributes as point and cell data, all arrays inline in base64 without
-//! compression. Read are triangles in inline base64 or ASCII arrays; appended and compressed data
-//! are not. A z that is not zero everywhere becomes an attribute, as does each component of data
+//! compression; constrained edges follow as lines, with the cell data `marker` (0 for triangles) and
+//! `region` (−1 where there is none). Read are triangles, and lines as constrained edges, in inline
+//! base64 or ASCII arrays; appended and compressed data are not. A z that is not zero everywhere becomes an attribute, as does each component of data
 //! that have several.
 
 mod array;
@@ -19,6 +20,9 @@ use delone::Watch;
 
 /// VTK's number for a triangle.
 const TRIANGLE: u8 = 5;
+
+/// VTK's number for a line of two vertices.
+const LINE: u8 = 3;
 
 /// Why reading stopped early.
 enum Stop {

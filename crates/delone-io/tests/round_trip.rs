@@ -49,6 +49,7 @@ prop_compose! {
                 vec![Attribute { name: "attribute1".to_owned(), values }]
             },
             triangles,
+            constraints: None,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The arrays of a grid, put together to a mesh.
 
 use super::array::ArrayHead;
-use super::{Stop, TRIANGLE, other, poll};
-use crate::{Attribute, MeshData, PointSet, Problem, node};
+use super::{LINE, Stop, TRIANGLE, other, poll};
+use crate::{Attribute, Constraints, MeshData, PointSet, Problem, node};
 use delone::{Point, VertexId, Watch};
 
 /// The arrays of a file as they come.
@@ -53,14 +53,15 @@ impl Grid {
         let num_points = self.points.len() / 3;
         check_declared("points", self.declared_points, num_points)?;
         check_declared("cells", self.declared_cells, self.types.len())?;
-        let triangles = self.triangles(num_points, watch)?;
+        let cells = self.cells(num_points, watch)?;
         check_lengths(&self.point_data, num_points)?;
-        check_lengths(&self.cell_data, triangles.len())?;
+        check_lengths(&self.cell_data, self.types.len())?;
         if let Some(markers) = &self.markers {
             check_length("marker", markers.len(), num_points)?;
         }
         let mut attributes = self.point_data;
         attributes.splice(0..0, heights(&self.points, &attributes));
+        let (triangle_attributes, markers) = part(self.cell_data, &cells);
         Ok(MeshData {
             vertices: PointSet {
                 points: plane(&self.points, watch)?,
@@ -68,61 +69,125 @@ impl Grid {
                 markers: self.markers,
                 ..PointSet::default()
             },
-            triangles,
-            triangle_attributes: self.cell_data,
+            triangles: cells.triangles,
+            triangle_attributes,
+            constraints: (!cells.lines.is_empty()).then(|| Constraints {
+                edges: cells.lines,
+                markers,
+                ..Constraints::default()
+            }),
         })
     }
 
-    fn triangles(
-        &self,
-        num_vertices: usize,
-        watch: &dyn Watch,
-    ) -> Result<Vec<[VertexId; 3]>, Stop> {
-        self.check_types(watch)?;
-        self.check_offsets(watch)?;
-        let [types, ends, corners] = [&self.types, &self.offsets, &self.connectivity].map(Vec::len);
-        if types != ends || Some(corners) != types.checked_mul(3) {
-            let text =
-                format!("{types} types, {ends} offsets and {corners} corners do not fit together");
-            return Err(other(text).into());
+    /// Takes the cells apart by their types.
+    fn cells(&self, num_vertices: usize, watch: &dyn Watch) -> Result<Cells, Stop> {
+        let [types, ends] = [&self.types, &self.offsets].map(Vec::len);
+        if types != ends {
+            return Err(other(format!(
+                "{types} types and {ends} offsets do not fit together"
+            ))
+            .into());
         }
-        let (rows, _) = self.connectivity.as_chunks::<3>();
-        let mut triangles = Vec::with_capacity(rows.len());
-        for (row, &corners) in rows.iter().enumerate() {
-            poll(watch, row)?;
-            triangles.push(triangle(row, corners, num_vertices)?);
-        }
-        Ok(triangles)
-    }
-
-    fn check_types(&self, watch: &dyn Watch) -> Result<(), Stop> {
-        for (cell, &kind) in self.types.iter().enumerate() {
+        let mut cells = Cells::default();
+        let mut rest = self.connectivity.as_slice();
+        let mut expected = 0;
+        for (cell, (&kind, &end)) in self.types.iter().zip(&self.offsets).enumerate() {
             poll(watch, cell)?;
-            if kind != f64::from(TRIANGLE) {
-                let text =
-                    format!("cell {cell} has VTK type {kind}: only triangles (5) are understood");
-                return Err(other(text).into());
-            }
-        }
-        Ok(())
-    }
-
-    fn check_offsets(&self, watch: &dyn Watch) -> Result<(), Stop> {
-        for (cell, &end) in self.offsets.iter().enumerate() {
-            poll(watch, cell)?;
-            let expected = 3 * (cell + 1);
+            let size = size_of_cell(cell, kind)?;
+            expected += size;
             if end != expected as f64 {
                 let text = format!("cell {cell} ends at offset {end}, expected {expected}");
                 return Err(other(text).into());
             }
+            let Some((corners, others)) = rest.split_at_checked(size) else {
+                let found = self.connectivity.len();
+                let text = format!("{found} corners of cells, {expected} or more expected");
+                return Err(other(text).into());
+            };
+            rest = others;
+            cells.push(cell, corners, num_vertices)?;
+        }
+        if !rest.is_empty() {
+            let found = self.connectivity.len();
+            return Err(other(format!("{found} corners of cells, {expected} expected")).into());
+        }
+        Ok(cells)
+    }
+}
+
+/// The cells of a grid by type, each with its place among all.
+#[derive(Default)]
+struct Cells {
+    triangles: Vec<[VertexId; 3]>,
+    lines: Vec<[VertexId; 2]>,
+    /// Whether each cell is a line; empty if none is.
+    is_line: Vec<bool>,
+}
+
+impl Cells {
+    fn push(&mut self, cell: usize, corners: &[f64], num_vertices: usize) -> Result<(), Problem> {
+        match *corners {
+            [a, b] => {
+                self.is_line.resize(cell, false);
+                self.is_line.push(true);
+                self.lines
+                    .push(vertices(("line", cell), [a, b], num_vertices)?);
+            }
+            [a, b, c] => {
+                let corners = vertices(("triangle", cell), [a, b, c], num_vertices)?;
+                self.triangles.push(corners);
+            }
+            _ => unreachable!("bug: a cell of another size"),
         }
         Ok(())
     }
+
+    /// Picks the values of lines, or those of triangles.
+    fn pick(&self, values: &[f64], of_lines: bool) -> Vec<f64> {
+        let is_line = |i: usize| self.is_line.get(i).copied().unwrap_or(false);
+        let all = values.iter().enumerate();
+        let picked = all.filter(|&(i, _)| is_line(i) == of_lines);
+        picked.map(|(_, &value)| value).collect()
+    }
+}
+
+/// Returns the number of corners of a cell.
+fn size_of_cell(cell: usize, kind: f64) -> Result<usize, Problem> {
+    match kind {
+        _ if kind == f64::from(TRIANGLE) => Ok(3),
+        _ if kind == f64::from(LINE) => Ok(2),
+        _ => Err(other(format!(
+            "cell {cell} has VTK type {kind}: only triangles (5) and lines (3) are understood"
+        ))),
+    }
+}
+
+/// Parts the data of cells into attributes of triangles and markers of lines.
+fn part(data: Vec<Attribute>, cells: &Cells) -> (Vec<Attribute>, Option<Vec<i32>>) {
+    if cells.lines.is_empty() {
+        return (data, None);
+    }
+    let mut markers = None;
+    let mut of_triangles = Vec::new();
+    for Attribute { name, values } in data {
+        let of_lines = cells.pick(&values, true);
+        if name == "marker" && of_lines.iter().all(|&v| is_marker(v)) {
+            markers = Some(of_lines.into_iter().map(|v| v as i32).collect());
+        } else {
+            let values = cells.pick(&values, false);
+            of_triangles.push(Attribute { name, values });
+        }
+    }
+    (of_triangles, markers)
 }
 
 /// Tells whether numbers named as markers can be kept as such, to the last digit.
 fn are_markers(head: &ArrayHead, values: &[f64]) -> bool {
-    head.is_integer() && values.iter().all(|&v| f64::from(v as i32) == v)
+    head.is_integer() && values.iter().all(|&v| is_marker(v))
+}
+
+fn is_marker(value: f64) -> bool {
+    f64::from(value as i32) == value
 }
 
 /// Adds an array to `data`: as it is, or each of its components.
@@ -180,13 +245,18 @@ fn plane(coordinates: &[f64], watch: &dyn Watch) -> Result<Vec<Point>, Stop> {
     Ok(points)
 }
 
-fn triangle(row: usize, corners: [f64; 3], num_vertices: usize) -> Result<[VertexId; 3], Problem> {
+/// Takes the corners of a cell as vertices, which must exist.
+fn vertices<const N: usize>(
+    (item, cell): (&'static str, usize),
+    corners: [f64; N],
+    num_vertices: usize,
+) -> Result<[VertexId; N], Problem> {
     let is_vertex = |v: f64| (0.0..num_vertices as f64).contains(&v) && v.fract() == 0.0;
     match corners.into_iter().find(|&v| !is_vertex(v)) {
         None => Ok(corners.map(|v| VertexId::new(v as usize))),
         Some(index) => Err(Problem::BadIndex {
-            item: "triangle",
-            row: row as u64,
+            item,
+            row: cell as u64,
             target: "vertex",
             index: index as i64,
             limit: num_vertices as u64,

@@ -1,20 +1,26 @@
 //! Writing: one element for each array, numbers in base64 behind their count of bytes.
 
-use super::TRIANGLE;
+use super::{LINE, TRIANGLE};
 use crate::target::Output;
 use crate::{Attribute, Error, MeshView};
 use base64::prelude::{BASE64_STANDARD, Engine};
+use delone::VertexId;
 
 /// Bytes encoded at once; divisible by 3, so that pieces join without padding.
 const PIECE: usize = 3 << 13;
 
-/// Writes points, triangles and attributes.
-pub(crate) fn write(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Error> {
-    let (n, m) = (mesh.points.len(), mesh.triangles.len());
+/// Writes points, triangles, constrained edges and attributes.
+pub(crate) fn write(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    edge_markers: &[i32],
+) -> Result<(), Error> {
+    let edges = mesh.constraints.map_or(&[][..], |c| &c.edges);
+    let (n, cells) = (mesh.points.len(), mesh.triangles.len() + edges.len());
     out.text(format_args!(
         "<?xml version=\"1.0\"?>\n\
          <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
-         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{m}\">\n"
+         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{cells}\">\n"
     ))?;
     out.text(format_args!("<Points>\n"))?;
     let coordinates = mesh.points.iter().flat_map(|p| [p.x, p.y, 0.0]);
@@ -26,42 +32,84 @@ pub(crate) fn write(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Err
         3 * n,
         coordinates.map(f64::to_le_bytes),
     )?;
-    out.text(format_args!("</Points>\n<Cells>\n"))?;
-    let corners = mesh.triangles.as_flattened().iter();
-    let corners = corners.map(|v| i64::from(v.raw()).to_le_bytes());
-    array(out, "Int64", "connectivity", 1, 3 * m, corners)?;
-    let ends = (1..=m as i64).map(|t| (3 * t).to_le_bytes());
-    array(out, "Int64", "offsets", 1, m, ends)?;
-    array(
+    out.text(format_args!("</Points>\n"))?;
+    write_cells(out, mesh.triangles, edges)?;
+    out.text(format_args!("<PointData>\n"))?;
+    attributes(out, mesh.attributes, 0)?;
+    integers(
         out,
-        "UInt8",
-        "types",
-        1,
-        m,
-        std::iter::repeat_n([TRIANGLE], m),
+        "marker",
+        mesh.markers.map(|markers| (markers.iter().copied(), n)),
     )?;
-    out.text(format_args!("</Cells>\n"))?;
-    data(out, "PointData", mesh.attributes, mesh.markers)?;
-    data(out, "CellData", mesh.triangle_attributes, None)?;
-    out.text(format_args!("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"))
+    out.text(format_args!("</PointData>\n<CellData>\n"))?;
+    attributes(out, mesh.triangle_attributes, edges.len())?;
+    write_cell_markers(out, mesh, edge_markers)?;
+    out.text(format_args!(
+        "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
+    ))
 }
 
-fn data(
+/// Writes triangles, and after them edges.
+fn write_cells(
     out: &mut Output<'_>,
-    element: &str,
-    attributes: &[Attribute],
-    markers: Option<&[i32]>,
+    triangles: &[[VertexId; 3]],
+    edges: &[[VertexId; 2]],
 ) -> Result<(), Error> {
-    out.text(format_args!("<{element}>\n"))?;
+    let (m, k) = (triangles.len(), edges.len());
+    out.text(format_args!("<Cells>\n"))?;
+    let corners = triangles.as_flattened().iter().chain(edges.as_flattened());
+    let corners = corners.map(|v| i64::from(v.raw()).to_le_bytes());
+    array(out, "Int64", "connectivity", 1, 3 * m + 2 * k, corners)?;
+    let of_triangles = (1..=m).map(|t| 3 * t);
+    let ends = of_triangles.chain((1..=k).map(|e| 3 * m + 2 * e));
+    let ends = ends.map(|end| (end as i64).to_le_bytes());
+    array(out, "Int64", "offsets", 1, m + k, ends)?;
+    let types = std::iter::repeat_n([TRIANGLE], m).chain(std::iter::repeat_n([LINE], k));
+    array(out, "UInt8", "types", 1, m + k, types)?;
+    out.text(format_args!("</Cells>\n"))
+}
+
+/// Writes the regions of triangles, −1 where there is none, and the markers of edges.
+fn write_cell_markers(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    edge_markers: &[i32],
+) -> Result<(), Error> {
+    let Some(constraints) = mesh.constraints else {
+        return Ok(());
+    };
+    let (m, k) = (mesh.triangles.len(), constraints.edges.len());
+    let regions = constraints.region_of.as_ref().map(|regions| {
+        let regions = regions.iter().map(|r| r.map_or(-1, |r| r as i32));
+        (regions.chain(std::iter::repeat_n(-1, k)), m + k)
+    });
+    integers(out, "region", regions)?;
+    let none = std::iter::repeat_n(0, m);
+    let markers = none.chain(edge_markers.iter().copied());
+    integers(out, "marker", Some((markers, m + k)))
+}
+
+/// Writes attributes, with `further` values that are none.
+fn attributes(out: &mut Output<'_>, attributes: &[Attribute], further: usize) -> Result<(), Error> {
     for Attribute { name, values } in attributes {
-        let bytes = values.iter().map(|v| v.to_le_bytes());
-        array(out, "Float64", name, 1, values.len(), bytes)?;
+        let all = values.iter().copied();
+        let all = all.chain(std::iter::repeat_n(f64::NAN, further));
+        let len = values.len() + further;
+        array(out, "Float64", name, 1, len, all.map(f64::to_le_bytes))?;
     }
-    if let Some(markers) = markers {
-        let bytes = markers.iter().map(|m| m.to_le_bytes());
-        array(out, "Int32", "marker", 1, markers.len(), bytes)?;
+    Ok(())
+}
+
+/// Writes an array of integers, if there is one, of which the number is known.
+fn integers(
+    out: &mut Output<'_>,
+    name: &str,
+    values: Option<(impl Iterator<Item = i32>, usize)>,
+) -> Result<(), Error> {
+    match values {
+        Some((values, len)) => array(out, "Int32", name, 1, len, values.map(i32::to_le_bytes)),
+        None => Ok(()),
     }
-    out.text(format_args!("</{element}>\n"))
 }
 
 /// Writes one array of `len` numbers of `N` bytes each.

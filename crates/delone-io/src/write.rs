@@ -1,0 +1,150 @@
+//! Writing: meshes here, points and domains in [`plain`], which files the targets mean in [`files`].
+
+mod files;
+mod plain;
+
+pub use plain::{write_domain, write_points};
+
+use crate::constraints::EdgeMarkers;
+use crate::target::{Output, Staging};
+use crate::topology::Topology;
+use crate::{Error, MeshView, Target};
+use crate::{edge, ele, geojson, neigh, node, npy, png, poly, svg, vtu};
+use delone::Watch;
+use files::{Content, OutFile};
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+/// How to write.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WriteOptions {
+    /// Numbers points and triangles from 1 instead of 0, in the formats of Triangle.
+    pub one_based: bool,
+    /// How pictures look.
+    pub picture: PictureOptions,
+}
+
+/// How pictures look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureOptions {
+    /// Length of the longer side in pixels, from 16 to 8192; a PNG takes 20 bytes of memory a pixel.
+    pub size: u32,
+    /// Draws the scale of colours.
+    pub legend: bool,
+}
+
+impl Default for PictureOptions {
+    fn default() -> Self {
+        Self {
+            size: 1600,
+            legend: true,
+        }
+    }
+}
+
+/// Writes a mesh to every target and returns the names of the files written.
+///
+/// - `.node`, `.ele`, `.edge`, `.neigh` and `.poly` each write the family `stem.node`, `stem.ele`,
+///   `stem.edge` and `stem.neigh`, and if something is constrained also `stem.poly`, with the
+///   constrained edges, holes and regions, and without points.
+///   Such a file that is there already is replaced in any case, as the points that it is about are.
+/// - `.npy` writes the triangles as `int32` (m, 3), and the points beside it as `stem.points.npy`,
+///   `float64` (n, 2 + attributes), and the caller's markers, if any, as a last column; if something
+///   is constrained, also `stem.segments.npy`, `int32` (k, 3), the ends of the edges and their markers.
+/// - `.geojson` and `.vtu` hold triangles with their regions and attributes, and constrained edges, as
+///   lines, with their markers.
+/// - Standard output takes just the one file that the format names; for `.npy` the triangles, for
+///   `.poly` the points too.
+///
+/// All files are complete under temporary names before the first is renamed; on an error before, or
+/// cancellation, none is left. If a later one of several cannot be renamed, those before it stay, and
+/// the error names them.
+///
+/// # Errors
+/// If the view is no mesh, a format cannot be written, writing fails, or the watch cancels.
+pub fn write_mesh(
+    targets: &[Target],
+    mesh: &MeshView<'_>,
+    options: &WriteOptions,
+    watch: &dyn Watch,
+) -> Result<Vec<PathBuf>, Error> {
+    mesh.validate()?;
+    let files = files::of_mesh(targets, mesh)?;
+    let prepared = Prepared::new(mesh, &files, watch)?;
+    let edges = prepared.topology.as_ref().map_or(0, |t| t.edges.len());
+    let rows = |f: &OutFile| f.content.rows(mesh, edges);
+    let mut staging = Staging::new(files.iter().map(rows).sum(), watch);
+    for OutFile { path, content } in &files {
+        staging.write(path.as_deref(), |out| {
+            prepared.write(out, *content, options, watch)
+        })?;
+    }
+    staging.commit()
+}
+
+/// A mesh with all that its files need to know beyond it.
+struct Prepared<'a> {
+    mesh: &'a MeshView<'a>,
+    topology: Option<Topology>,
+    /// Markers of the vertices.
+    markers: Cow<'a, [i32]>,
+    /// Markers of all edges, and of the constrained ones.
+    edge_markers: EdgeMarkers,
+}
+
+impl<'a> Prepared<'a> {
+    fn new(mesh: &'a MeshView<'a>, files: &[OutFile], watch: &dyn Watch) -> Result<Self, Error> {
+        let needs_topology = files.iter().any(|f| f.content.needs_topology(mesh));
+        let topology = needs_topology.then(|| mesh.topology(watch)).transpose()?;
+        let markers = match (mesh.markers, &topology) {
+            (Some(markers), _) => Cow::Borrowed(markers),
+            (None, Some(topology)) => Cow::Owned(mesh.boundary_markers(topology)),
+            (None, None) => Cow::default(),
+        };
+        let edge_markers = match &topology {
+            Some(topology) => EdgeMarkers::new(mesh, topology, watch)?,
+            None => EdgeMarkers::default(),
+        };
+        Ok(Self {
+            mesh,
+            topology,
+            markers,
+            edge_markers,
+        })
+    }
+
+    fn write(
+        &self,
+        out: &mut Output<'_>,
+        content: Content,
+        options: &WriteOptions,
+        watch: &dyn Watch,
+    ) -> Result<(), Error> {
+        let Self {
+            mesh, edge_markers, ..
+        } = self;
+        let base = usize::from(options.one_based);
+        let topology = || self.topology.as_ref().expect("bug: topology was needed");
+        match content {
+            Content::Node => node::write(out, mesh, Some(&self.markers), base),
+            Content::Ele => ele::write(out, mesh, base),
+            Content::Edge => edge::write(out, topology(), &edge_markers.all, base),
+            Content::Neigh => neigh::write(out, topology(), base),
+            Content::Poly => {
+                poly::write_header(out, mesh)?;
+                poly::write_graph(out, mesh, Some(&edge_markers.constrained), base)
+            }
+            Content::WholePoly => {
+                node::write(out, mesh, Some(&self.markers), base)?;
+                poly::write_graph(out, mesh, Some(&edge_markers.constrained), base)
+            }
+            Content::NpyTriangles => npy::write_triangles(out, mesh),
+            Content::NpyPoints => npy::write_points(out, mesh),
+            Content::NpySegments => npy::write_segments(out, mesh, &edge_markers.constrained),
+            Content::GeoJson => geojson::write_mesh(out, mesh, &edge_markers.constrained),
+            Content::Vtu => vtu::write(out, mesh, &edge_markers.constrained),
+            Content::Svg => svg::write(out, mesh, &options.picture, watch),
+            Content::Png => png::write(out, mesh, &options.picture, watch),
+        }
+    }
+}

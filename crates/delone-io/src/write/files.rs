@@ -1,0 +1,142 @@
+//! Which files the targets of a mesh mean.
+
+use crate::points::unsupported;
+use crate::{Error, Format, MeshView, Target, poly};
+use std::path::PathBuf;
+
+/// One file to be written, and what goes into it.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct OutFile {
+    /// `None` is standard output.
+    pub path: Option<PathBuf>,
+    pub content: Content,
+}
+
+/// What goes into one file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Content {
+    Node,
+    Ele,
+    Edge,
+    Neigh,
+    /// Constrained edges, holes and regions over the points of a `.node` file.
+    Poly,
+    /// The same with the points.
+    WholePoly,
+    NpyTriangles,
+    NpyPoints,
+    NpySegments,
+    GeoJson,
+    Vtu,
+    Svg,
+    Png,
+}
+
+impl Content {
+    /// Counts the rows that will be reported as written.
+    pub fn rows(self, mesh: &MeshView<'_>, edges: usize) -> u64 {
+        let (n, m) = (mesh.points.len(), mesh.triangles.len());
+        let k = mesh.constraints.map_or(0, |c| c.edges.len());
+        let rows = match self {
+            Self::Node | Self::NpyPoints => n,
+            Self::Ele | Self::Neigh | Self::NpyTriangles => m,
+            Self::Edge => edges,
+            Self::Poly | Self::NpySegments => k,
+            Self::WholePoly => n + k,
+            Self::GeoJson => m + k,
+            Self::Vtu => {
+                n * (1 + mesh.attributes.len()) + (m + k) * (5 + mesh.triangle_attributes.len())
+            }
+            Self::Svg | Self::Png => 0,
+        };
+        rows as u64
+    }
+
+    /// Tells whether neighbours and boundary must be known, for markers or more.
+    pub fn needs_topology(self, mesh: &MeshView<'_>) -> bool {
+        match self {
+            Self::Node | Self::Edge | Self::Neigh | Self::Poly | Self::WholePoly => true,
+            Self::NpySegments | Self::GeoJson | Self::Vtu => mesh.constraints.is_some(),
+            Self::Ele | Self::NpyTriangles | Self::NpyPoints | Self::Svg | Self::Png => false,
+        }
+    }
+}
+
+/// Triangle's family of files: extensions and contents; the last one only if something is
+/// constrained, or was.
+const FAMILY: [(&str, Content); 5] = [
+    ("node", Content::Node),
+    ("ele", Content::Ele),
+    ("edge", Content::Edge),
+    ("neigh", Content::Neigh),
+    ("poly", Content::Poly),
+];
+
+/// Lists the files that the targets mean, each once.
+pub(super) fn of_mesh(targets: &[Target], mesh: &MeshView<'_>) -> Result<Vec<OutFile>, Error> {
+    let mut files = Vec::new();
+    for target in targets {
+        for file in of_target(target, mesh.constraints.is_some())? {
+            if !files.contains(&file) {
+                files.push(file);
+            }
+        }
+    }
+    Ok(files)
+}
+
+/// Lists the files that one target means.
+fn of_target(target: &Target, is_constrained: bool) -> Result<Vec<OutFile>, Error> {
+    let format = target.format()?;
+    let contents = match (&target.path, format) {
+        (Some(path), Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly) => {
+            // What was constrained in a mesh of this name must not seem to be so in the new one.
+            let has_graph = is_constrained || poly::is_graph(&path.with_extension("poly"));
+            FAMILY[..if has_graph { 5 } else { 4 }].to_vec()
+        }
+        (Some(_), Format::Npy) => {
+            let mut family = vec![
+                ("", Content::NpyTriangles),
+                ("points.npy", Content::NpyPoints),
+            ];
+            family.extend(is_constrained.then_some(("segments.npy", Content::NpySegments)));
+            family
+        }
+        (_, format) => match alone(format, is_constrained) {
+            Some(content) => vec![("", content)],
+            None => {
+                return Err(unsupported(
+                    target,
+                    format,
+                    "hold a mesh",
+                    Format::writes_mesh,
+                ));
+            }
+        },
+    };
+    let file = |(extension, content): (&str, Content)| OutFile {
+        path: target.path.as_ref().map(|path| match extension {
+            "" => path.clone(),
+            _ => path.with_extension(extension),
+        }),
+        content,
+    };
+    Ok(contents.into_iter().map(file).collect())
+}
+
+/// Returns what a format holds in a file that has no others beside it.
+fn alone(format: Format, is_constrained: bool) -> Option<Content> {
+    match format {
+        Format::Node => Some(Content::Node),
+        Format::Ele => Some(Content::Ele),
+        Format::Edge => Some(Content::Edge),
+        Format::Neigh => Some(Content::Neigh),
+        Format::Poly => is_constrained.then_some(Content::WholePoly),
+        Format::Npy => Some(Content::NpyTriangles),
+        Format::GeoJson => Some(Content::GeoJson),
+        Format::Vtu => Some(Content::Vtu),
+        Format::Svg => Some(Content::Svg),
+        Format::Png => Some(Content::Png),
+        Format::Table | Format::Wkt => None,
+    }
+}
