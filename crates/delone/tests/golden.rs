@@ -1,8 +1,8 @@
-//! Golden triangulations of cocircular sets, made with CGAL (`tests/golden/README.md`).
+//! Golden triangulations of degenerate sets, made with CGAL (`tests/golden/README.md`).
 
-use delone::Point;
-use delone::predicates::CircleSide;
-use delone::predicates::{Orientation, in_circle, in_circle_perturbed, orient2d};
+use delone::predicates::{CircleSide, Orientation, in_circle, in_circle_perturbed, orient2d};
+use delone::{ConstrainedDelaunay, DomainRule, Point, Pslg, VertexId};
+use delone_testkit::naive::naive_constrained;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -11,11 +11,28 @@ type Triangle = [usize; 3];
 struct Golden {
     name: String,
     points: Vec<Point>,
+    segments: Vec<[usize; 2]>,
     triangles: BTreeSet<Triangle>,
+    /// Of a constrained set, the triangles behind an odd number of constrained edges.
+    odd: BTreeSet<Triangle>,
 }
 
+/// The sets without segments.
 fn goldens() -> Vec<Golden> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let all = read_all("tests/golden");
+    assert_eq!(all.len(), 45);
+    all
+}
+
+/// The sets with segments.
+fn constrained_goldens() -> Vec<Golden> {
+    let all = read_all("tests/golden/constrained");
+    assert_eq!(all.len(), 35);
+    all
+}
+
+fn read_all(folder: &str) -> Vec<Golden> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut all: Vec<Golden> = std::fs::read_dir(folder)
         .expect("the folder")
         .map(|entry| entry.expect("an entry").path())
@@ -23,26 +40,37 @@ fn goldens() -> Vec<Golden> {
         .map(|path| read(&path))
         .collect();
     all.sort_by(|a, b| a.name.cmp(&b.name));
-    assert_eq!(all.len(), 45);
     all
 }
 
 fn read(path: &Path) -> Golden {
     let text = std::fs::read_to_string(path).expect("a readable file");
-    let mut words = text.split_whitespace();
-    let mut next = || words.next().expect("a longer file");
-    assert_eq!(next(), "points");
-    let count: usize = next().parse().expect("a count");
-    let mut number = || next().parse::<f64>().expect("a number");
-    let points = (0..count).map(|_| Point::new(number(), number())).collect();
-    assert_eq!(next(), "triangles");
-    let count: usize = next().parse().expect("a count");
-    let mut index = || next().parse::<usize>().expect("an index");
-    let triangles = (0..count).map(|_| [index(), index(), index()]).collect();
+    let mut sections = BTreeMap::new();
+    let mut lines = text.lines();
+    while let Some((heading, count)) = lines.next().and_then(|line| line.split_once(' ')) {
+        let rows = lines.by_ref().take(count.parse().expect("a count"));
+        let rows = rows.map(|line| line.split(' ').collect::<Vec<_>>());
+        sections.insert(heading, rows.collect::<Vec<_>>());
+    }
+    let index = |field: &str| field.parse::<usize>().expect("an index");
+    let indices = |heading: &str| {
+        let rows = sections.get(heading).into_iter().flatten();
+        rows.map(|row| row.iter().map(|field| index(field)).collect::<Vec<_>>())
+    };
+    let coordinate = |field: &str| field.parse::<f64>().expect("a number");
+    let points = sections["points"].iter();
+    let rows = || indices("triangles");
     Golden {
         name: path.file_stem().expect("a name").to_string_lossy().into(),
-        points,
-        triangles,
+        points: points
+            .map(|row| Point::new(coordinate(row[0]), coordinate(row[1])))
+            .collect(),
+        segments: indices("segments").map(|row| [row[0], row[1]]).collect(),
+        triangles: rows().map(|row| [row[0], row[1], row[2]]).collect(),
+        odd: rows()
+            .filter(|row| row.get(3) == Some(&1))
+            .map(|row| [row[0], row[1], row[2]])
+            .collect(),
     }
 }
 
@@ -68,6 +96,29 @@ impl Golden {
     fn is_cocircular(&self, [a, b, c]: Triangle, d: usize) -> bool {
         let [a, b, c, d] = [a, b, c, d].map(|i| self.points[i]);
         in_circle(a, b, c, d) == CircleSide::On
+    }
+
+    fn pslg(&self) -> Pslg {
+        let mut pslg = Pslg::from_points(self.points.iter().copied());
+        let segments = self.segments.iter();
+        pslg.segments = segments.map(|s| s.map(VertexId::new)).collect();
+        pslg
+    }
+
+    /// Counts the segments that run along the edge `ab`.
+    fn multiplicity(&self, [a, b]: [usize; 2]) -> usize {
+        let runs_along = |&&[p, q]: &&[usize; 2]| {
+            let [start, end] = [p, q].map(|v| self.points[v]);
+            let is_on = |v: usize| {
+                let p = self.points[v];
+                let is_between = |c: f64, a: f64, b: f64| a.min(b) <= c && c <= a.max(b);
+                is_between(p.x, start.x, end.x)
+                    && is_between(p.y, start.y, end.y)
+                    && orient2d(start, end, p) == Orientation::Collinear
+            };
+            is_on(a) && is_on(b)
+        };
+        self.segments.iter().filter(runs_along).count()
     }
 
     /// Checks the edge `ab` between `abc` and `bad` from both sides, and its flip `dc`.
@@ -107,13 +158,77 @@ fn golden_edges_are_locally_delaunay() {
 fn triangulate_agrees_with_golden() {
     for golden in goldens() {
         let built = delone::triangulate(golden.points.iter().copied()).expect("finite points");
-        let triangles: BTreeSet<Triangle> = built
-            .triangles()
-            .iter()
-            .map(|corners| smallest_first(corners.map(|v| v.index())))
-            .collect();
+        let triangles = triangle_set(built.triangles());
         assert_eq!(triangles, golden.triangles, "{}", golden.name);
     }
+}
+
+/// No builder needed here either.
+#[test]
+fn constrained_golden_edges_are_segments_or_locally_delaunay() {
+    let (mut ties, mut kept) = (0, 0);
+    for golden in constrained_goldens() {
+        let apexes = golden.apexes();
+        for (&[a, b], &c) in &apexes {
+            assert_eq!(golden.orient2d([a, b, c]), Orientation::Left);
+            let Some(&d) = apexes.get(&[b, a]) else {
+                continue;
+            };
+            if golden.multiplicity([a, b]) == 0 {
+                golden.check_edge([a, b], c, d);
+                ties += usize::from(golden.is_cocircular([a, b, c], d));
+            } else {
+                kept += usize::from(golden.is_inside([a, b, c], d));
+            }
+        }
+    }
+    assert!(ties > 1000, "only {ties} ties");
+    assert!(kept > 300, "only {kept} edges are there for their segments");
+}
+
+#[test]
+fn constrained_delaunay_agrees_with_golden() {
+    for golden in constrained_goldens() {
+        let built = ConstrainedDelaunay::new().triangulate(golden.pslg());
+        let built = built.unwrap_or_else(|e| panic!("{}: {e}", golden.name));
+        let triangles = triangle_set(built.triangulation().triangles());
+        assert_eq!(triangles, golden.triangles, "{}", golden.name);
+    }
+}
+
+/// CGAL's level of nesting counts a constrained edge once, however many segments share it.
+#[test]
+fn even_odd_agrees_with_golden_where_no_segments_share_an_edge() {
+    let mut compared = 0;
+    for golden in constrained_goldens() {
+        let apexes = golden.apexes();
+        if apexes.keys().any(|&edge| golden.multiplicity(edge) > 1) {
+            continue;
+        }
+        let rule = ConstrainedDelaunay::new().domain(DomainRule::EvenOdd);
+        let built = rule.triangulate(golden.pslg()).expect("no crossings");
+        let triangles = triangle_set(built.triangulation().triangles());
+        assert_eq!(triangles, golden.odd, "{}", golden.name);
+        compared += usize::from(!golden.odd.is_empty());
+    }
+    assert!(compared > 8, "only {compared} sets");
+}
+
+#[test]
+fn the_constrained_oracle_agrees_with_golden() {
+    let few = |golden: &Golden| golden.points.len() <= 40;
+    for golden in constrained_goldens().into_iter().filter(few) {
+        let apexes = golden.apexes();
+        let edges = apexes.keys().filter(|&&edge| golden.multiplicity(edge) > 0);
+        let edges: Vec<_> = edges.map(|edge| edge.map(VertexId::new)).collect();
+        let triangles = triangle_set(&naive_constrained(&golden.points, &edges));
+        assert_eq!(triangles, golden.triangles, "{}", golden.name);
+    }
+}
+
+fn triangle_set(triangles: &[[VertexId; 3]]) -> BTreeSet<Triangle> {
+    let triangles = triangles.iter().map(|corners| corners.map(VertexId::index));
+    triangles.map(smallest_first).collect()
 }
 
 fn smallest_first([a, b, c]: Triangle) -> Triangle {

@@ -8,8 +8,8 @@ use crate::naive::{
 };
 use delone::predicates::{Orientation, in_circle_perturbed, orient2d};
 use delone::{
-    ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Error, HalfEdgeId, Origin, Point,
-    Pslg, SegmentPolicy, TriangleId, VertexId,
+    ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Error, Origin, Pslg, SegmentPolicy,
+    TriangleId, VertexId,
 };
 use std::collections::BTreeSet;
 
@@ -94,17 +94,23 @@ fn check_faces(t: &ConstrainedTriangulation) -> Outcome {
         let face = TriangleId::new(face);
         let is_ghost = mesh.is_ghost(face);
         let is_early = is_ghost && face.index() < t.triangulation().num_triangles();
-        ensure(!is_early && (is_ghost || !ghosts), || format!("{face:?} is out of order"))?;
+        ensure(!is_early && (is_ghost || !ghosts), || {
+            format!("{face:?} is out of order")
+        })?;
         ghosts |= is_ghost;
         if is_ghost {
             // Hull edges run clockwise: the next one turns right, or goes straight on or back.
             let h = mesh.hull_edge_of(face);
             let next = mesh.hull(h).nth(1).unwrap_or(h);
             let bend = [mesh.dest(h), mesh.origin(h), mesh.origin(next)];
-            ensure(turn(bend) != Orientation::Right, || format!("the hull is bent at {bend:?}"))?;
+            ensure(turn(bend) != Orientation::Right, || {
+                format!("the hull is bent at {bend:?}")
+            })?;
         } else {
             let corners = mesh.corners(face);
-            ensure(turn(corners) == Orientation::Left, || format!("{corners:?} does not turn left"))?;
+            ensure(turn(corners) == Orientation::Left, || {
+                format!("{corners:?} does not turn left")
+            })?;
         }
     }
     Ok(())
@@ -114,18 +120,28 @@ fn check_faces(t: &ConstrainedTriangulation) -> Outcome {
 fn check_input(pslg: &Pslg, t: &ConstrainedTriangulation) -> Outcome {
     let n = pslg.points.len();
     let (old, added) = t.triangulation().points().split_at(n);
-    ensure(old == pslg.points && t.segments() == pslg.segments, || "other input".to_owned())?;
-    ensure(t.num_crossings() == added.len(), || "miscounted crossings".to_owned())?;
-    let ascends = added.windows(2).all(|pair| pair[0].lex_cmp(&pair[1]).is_lt());
+    ensure(old == pslg.points && t.segments() == pslg.segments, || {
+        "other input".to_owned()
+    })?;
+    ensure(t.num_crossings() == added.len(), || {
+        "miscounted crossings".to_owned()
+    })?;
+    let ascends = added
+        .windows(2)
+        .all(|pair| pair[0].lex_cmp(&pair[1]).is_lt());
     ensure(ascends, || "crossings are not sorted".to_owned())?;
     for (i, p) in added.iter().enumerate() {
-        ensure(!old.contains(p), || format!("crossing {p:?} is an input point"))?;
+        ensure(!old.contains(p), || {
+            format!("crossing {p:?} is an input point")
+        })?;
         let v = VertexId::new(n + i);
         let Origin::Crossing([s, other]) = t.origin(v) else {
             return Err(format!("{v:?} has no segments"));
         };
         let is_crossed = s < other && [s, other].iter().all(|&s| t.chain(s).contains(&v));
-        ensure(is_crossed, || format!("{v:?} is not on segments {s} and {other}"))?;
+        ensure(is_crossed, || {
+            format!("{v:?} is not on segments {s} and {other}")
+        })?;
     }
     Ok(())
 }
@@ -190,11 +206,17 @@ pub fn check_canonical(
     let counts = |t: &ConstrainedTriangulation| {
         let constrained = t.constrained_edges().count();
         let faces = t.triangulation().mesh().num_faces();
-        (t.num_crossings(), t.triangulation().num_triangles(), faces, constrained)
+        (
+            t.num_crossings(),
+            t.triangulation().num_triangles(),
+            faces,
+            constrained,
+        )
     };
-    ensure(hash(t) == hash(&again) && counts(t) == counts(&again), || {
-        format!("permuted, it has other triangles:\n{other:?}")
-    })
+    ensure(
+        hash(t) == hash(&again) && counts(t) == counts(&again),
+        || format!("permuted, it has other triangles:\n{other:?}"),
+    )
 }
 
 /// Checks that a result is what the definitions say. For tiny inputs.
@@ -214,7 +236,10 @@ pub fn check_naive(domain: &Domain, t: &ConstrainedTriangulation) -> Outcome {
     })?;
     for (i, corners) in t.triangulation().triangles().iter().enumerate() {
         let corners = lowest_first(*corners);
-        let at = expected.triangles.binary_search(&corners).expect("the same triangles");
+        let at = expected
+            .triangles
+            .binary_search(&corners)
+            .expect("the same triangles");
         ensure(t.region(TriangleId::new(i)) == expected.regions[at], || {
             format!("{corners:?} is not in region {:?}", expected.regions[at])
         })?;
@@ -229,7 +254,9 @@ fn check_noding(noding: &NaiveNoding, t: &ConstrainedTriangulation) -> Outcome {
     })?;
     for (s, chain) in noding.chains.iter().enumerate() {
         let found = t.chain(s);
-        ensure(found == chain, || format!("segment {s} is {found:?}, not {chain:?}"))?;
+        ensure(found == chain, || {
+            format!("segment {s} is {found:?}, not {chain:?}")
+        })?;
     }
     Ok(())
 }
@@ -245,7 +272,9 @@ fn lowest_first(corners: [VertexId; 3]) -> [VertexId; 3] {
 /// # Errors
 /// Why it is not.
 pub fn check_error(domain: &Domain, error: &Error) -> Outcome {
-    let Pslg { points, segments, .. } = &domain.pslg;
+    let Pslg {
+        points, segments, ..
+    } = &domain.pslg;
     let deserved = match *error {
         Error::NotFinite { index, .. } => points.iter().position(|p| !p.is_finite()) == Some(index),
         Error::Crossing { segments: pair, at } => {
@@ -257,6 +286,9 @@ pub fn check_error(domain: &Domain, error: &Error) -> Outcome {
             let all = naive_constrained(&noding.points, &noding.edges());
             naive_domain(&domain.pslg, &noding, &all, domain.rule) == Err(seed)
         }
+        Error::OpenPolygon {
+            polygon, vertex, ..
+        } => is_open_at(&domain.pslg, polygon, vertex),
         _ => false,
     };
     ensure(deserved, || format!("undeserved: {error}"))
@@ -265,4 +297,11 @@ pub fn check_error(domain: &Domain, error: &Error) -> Outcome {
 /// Tells whether the error policy must refuse this.
 pub fn has_crossing(pslg: &Pslg) -> bool {
     naive_first_crossing(&pslg.points, &pslg.segments).is_some()
+}
+
+/// Tells whether an odd number of a polygon's segments end in the point that `vertex` stands for.
+fn is_open_at(pslg: &Pslg, polygon: usize, vertex: VertexId) -> bool {
+    let border = pslg.segments[pslg.polygons[polygon].clone()].as_flattened();
+    let at = |v: &&VertexId| pslg.points[v.index()] == pslg.points[vertex.index()];
+    border.iter().filter(at).count() % 2 == 1
 }

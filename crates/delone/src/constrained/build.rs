@@ -53,7 +53,8 @@ pub(super) fn build(
     };
     let seeds = (&pslg.holes[..], &pslg.regions[..]);
     let carving = carve(&draft, options.domain, &segments, seeds, watch)?;
-    hand_out(pslg, draft, names, carving, (chains, crossings), watch)
+    let lineage = (chains, crossings);
+    hand_out(pslg, draft, names, carving, lineage, workers, watch)
 }
 
 /// Triangulates the points, with nothing constrained yet.

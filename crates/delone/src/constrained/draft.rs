@@ -60,10 +60,29 @@ impl Draft {
         first.into_iter().flat_map(|h| self.mesh.star(h))
     }
 
-    /// Finds the half-edge from `a` to `b`. *Cost*: the degree of `a`.
+    /// Finds a half-edge between two vertices, or returns them, the one with fewer edges first.
+    ///
+    /// *Cost*: the lesser of the two degrees, so that spokes are cheap whichever end is the hub.
     #[inline]
-    pub fn find_edge(&self, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
-        self.star(a).find(|&h| self.mesh.dest(h) == b)
+    pub fn find_edge(&self, a: VertexId, b: VertexId) -> Result<HalfEdgeId, [VertexId; 2]> {
+        let [first, other_first] = [a, b].map(|v| self.outgoing[v.index()]);
+        let (mut h, mut g) = (first, other_first);
+        loop {
+            let [beside, other_beside] = [h, g].map(HalfEdgeId::prev);
+            if self.mesh.apex(beside) == b {
+                return Ok(h);
+            }
+            if self.mesh.apex(other_beside) == a {
+                return Ok(g);
+            }
+            [h, g] = [beside, other_beside].map(|h| self.mesh.twin(h));
+            if h == first {
+                return Err([a, b]);
+            }
+            if g == other_first {
+                return Err([b, a]);
+            }
+        }
     }
 
     /// Looks from vertex `a` towards `goal`, which must be another point.
@@ -103,28 +122,40 @@ impl Draft {
         for (v, h) in [(a, ab), (b, bc), (c, ca)] {
             self.outgoing[v.index()] = h;
         }
-        self.marks.clear(t);
+        self.marks.clear_edges(t);
     }
 
-    /// Flips edges until all that `suspects` lead to are locally Delaunay or constrained.
-    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>) {
+    /// Flips edges between faces of the corridor until all that `suspects` lead to are locally Delaunay
+    /// or constrained; false if that takes more than `budget` flips.
+    #[must_use]
+    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
         while let Some(h) = suspects.pop() {
-            if self.must_flip(h) {
-                self.flip(h);
-                let g = self.mesh.twin(h.next()).prev();
-                suspects.extend([h, h.prev(), g, g.prev()]);
+            if !self.must_flip(h) {
+                continue;
             }
+            if budget == 0 {
+                return false;
+            }
+            budget -= 1;
+            self.flip(h);
+            let g = self.mesh.twin(h.next()).prev();
+            suspects.extend([h, h.prev(), g, g.prev()]);
         }
+        true
     }
 
     fn must_flip(&self, h: HalfEdgeId) -> bool {
         let g = self.mesh.twin(h);
-        let [c, d] = [self.mesh.apex(h), self.mesh.apex(g)];
-        if self.marks.is_constrained(h) || c.is_infinite() || d.is_infinite() {
+        if self.marks.is_constrained(h) || !self.marks.is_in_corridor(g.triangle()) {
             return false;
         }
-        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
-        let [a, b, c, d] = [a, b, c, d].map(|v| self.point(v));
+        let corners = [
+            self.mesh.origin(h),
+            self.mesh.dest(h),
+            self.mesh.apex(h),
+            self.mesh.apex(g),
+        ];
+        let [a, b, c, d] = corners.map(|v| self.point(v));
         in_circle_perturbed(a, b, c, d)
     }
 
@@ -165,9 +196,12 @@ impl Mark {
 }
 
 /// The marks of all half-edges, a byte a face: bit k says that half-edge k is constrained, bit 3 + k
-/// that an odd number of segments runs along it.
+/// that an odd number of segments runs along it. Bit 6 is set while the face is in a corridor.
 #[derive(Clone, Debug)]
 pub(super) struct Marks(Vec<u8>);
+
+/// The bit of faces in the corridor.
+const CORRIDOR: u8 = 1 << 6;
 
 impl Marks {
     fn new(faces: usize) -> Self {
@@ -202,13 +236,122 @@ impl Marks {
         *byte = (*byte | 1 << h.slot()) ^ 8 << h.slot();
     }
 
+    /// Forgets what is known of the edges of a face.
     #[inline]
-    fn clear(&mut self, t: TriangleId) {
-        self.0[t.index()] = 0;
+    fn clear_edges(&mut self, t: TriangleId) {
+        self.0[t.index()] &= CORRIDOR;
+    }
+
+    /// Tells whether a face belongs to the corridor that is being rebuilt.
+    #[inline]
+    pub fn is_in_corridor(&self, t: TriangleId) -> bool {
+        self.0[t.index()] & CORRIDOR != 0
+    }
+
+    #[inline]
+    pub fn enter_corridor(&mut self, t: TriangleId) {
+        self.0[t.index()] |= CORRIDOR;
+    }
+
+    #[inline]
+    pub fn leave_corridor(&mut self, t: TriangleId) {
+        self.0[t.index()] &= !CORRIDOR;
     }
 
     /// Hands out the bytes of all faces, of which the lower three bits say what is constrained.
     pub fn into_bytes(self) -> Vec<u8> {
         self.0
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::super::names::Names;
+    use super::*;
+    use crate::delaunay::Curve;
+    use crate::parallel::Workers;
+
+    /// Triangulates points; the function returned finds the draft's vertex of a point.
+    pub fn draft(points: &[(f64, f64)]) -> (Draft, impl Fn(usize) -> VertexId + use<>) {
+        let points: Vec<Point> = points.iter().map(|&p| p.into()).collect();
+        let parts = Curve::build(&points, Workers::ONE, &())
+            .unwrap()
+            .into_parts();
+        let positions = Names::of(&parts).positions;
+        (Draft::new(parts.points, parts.mesh), move |i| positions[i])
+    }
+
+    /// A hexagon about the origin, which is vertex 6.
+    const WHEEL: [(f64, f64); 7] = [
+        (2.0, 0.0),
+        (1.0, 2.0),
+        (-1.0, 2.0),
+        (-2.0, 0.0),
+        (-1.0, -2.0),
+        (1.0, -2.0),
+        (0.0, 0.0),
+    ];
+
+    #[test]
+    fn every_edge_is_found_from_both_ends() {
+        let (draft, v) = draft(&WHEEL);
+        for i in 0..6 {
+            let [hub, rim, next] = [v(6), v(i), v((i + 1) % 6)];
+            for [a, b] in [[hub, rim], [rim, hub], [rim, next], [next, rim]] {
+                let h = draft.find_edge(a, b).expect("an edge of the wheel");
+                let ends = [draft.mesh.origin(h), draft.mesh.dest(h)];
+                assert!(ends == [a, b] || ends == [b, a]);
+            }
+            assert!(draft.find_edge(rim, v((i + 3) % 6)).is_err());
+        }
+    }
+
+    #[test]
+    fn looking_ahead_sees_edges_gaps_and_the_outside() {
+        let (draft, v) = draft(&WHEEL);
+        let ends = |h| [draft.mesh.origin(h), draft.mesh.dest(h)];
+        for i in 0..6 {
+            let (x, y) = WHEEL[i];
+            // Along a spoke, before, at and behind its end.
+            for scale in [0.5, 1.0, 3.0] {
+                let seen = draft.ahead(v(6), Point::new(scale * x, scale * y));
+                assert!(matches!(seen, Ahead::Along(h) if ends(h) == [v(6), v(i)]));
+            }
+            let (z, w) = WHEEL[(i + 1) % 6];
+            let seen = draft.ahead(v(6), Point::new(x + z, y + w));
+            assert!(matches!(seen, Ahead::Across(h) if ends(h) == [v(i), v((i + 1) % 6)]));
+            assert_eq!(
+                draft.ahead(v(i), Point::new(2.0 * x, 2.0 * y)),
+                Ahead::Outside
+            );
+        }
+    }
+
+    #[test]
+    fn marks_go_with_their_edges_through_flips() {
+        let corners = [(0.0, 0.0), (3.0, -1.0), (4.0, 2.0), (1.0, 3.0)];
+        let (mut draft, v) = draft(&corners);
+        let sides = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|ends| ends.map(&v));
+        let find = |draft: &Draft, [a, b]: [VertexId; 2]| draft.find_edge(a, b).unwrap();
+        draft.constrain(find(&draft, sides[0]));
+        draft.constrain(find(&draft, sides[2]));
+        draft.constrain(find(&draft, sides[2]));
+        let diagonal = [[0, 2], [1, 3]].map(|ends| ends.map(&v));
+        let mut h = diagonal
+            .into_iter()
+            .find_map(|[a, b]| draft.find_edge(a, b).ok())
+            .unwrap();
+        for _ in 0..4 {
+            draft.flip(h);
+            h = h.next();
+            draft.mesh.validate().expect("flipped");
+            for (i, side) in sides.into_iter().enumerate() {
+                let h = find(&draft, side);
+                for h in [h, draft.mesh.twin(h)] {
+                    assert_eq!(draft.marks.is_constrained(h), i % 2 == 0);
+                    assert_eq!(draft.marks.is_odd(h), i == 0);
+                }
+            }
+        }
     }
 }

@@ -5,8 +5,10 @@ use super::ConstrainedTriangulation;
 use super::carve::Carving;
 use super::draft::Draft;
 use super::names::Names;
+use crate::delaunay::rename;
+use crate::parallel::Workers;
 use crate::pslg::Chains;
-use crate::{Error, Phase, Pslg, TriangleId, Triangulation, Watch};
+use crate::{Error, Mesh, Phase, Pslg, TriangleId, Triangulation, VertexId, Watch};
 
 /// Puts the result together. The lineage is the chains of segments and the pair of segments for each
 /// point added at a crossing.
@@ -16,6 +18,7 @@ pub(super) fn hand_out(
     names: Names,
     carving: Carving,
     (chains, crossings): (Chains, Vec<[u32; 2]>),
+    workers: Workers,
     watch: &dyn Watch,
 ) -> Result<ConstrainedTriangulation, Error> {
     watch.progress(Phase::Export, 0, 1);
@@ -34,10 +37,10 @@ pub(super) fn hand_out(
         region_of = permute(&region_of, &order);
     }
     region_of.truncate(num_triangles);
-    if watch.is_cancelled() {
-        return Err(Error::Cancelled);
-    }
-    mesh.rename_vertices(&names.callers);
+    let (mut corners, twins) = mesh.into_rows();
+    let name = |v: VertexId| names.callers.get(v.index()).copied().unwrap_or(v);
+    rename(&mut corners, name, workers, watch).ok_or(Error::Cancelled)?;
+    let mesh = Mesh::from_rows(corners, twins);
     let triangulation = Triangulation::of_domain(
         pslg.points,
         mesh,

@@ -105,9 +105,10 @@ mod tests {
         let Err(Error::BadPolygon { polygon: 1, .. }) = check(&pslg) else {
             panic!("a range beyond the end");
         };
-        pslg.polygons = vec![0..4];
+        pslg.polygons.clear();
+        pslg.polygons.push(0..4);
         assert_eq!(require_closed(&pslg), Ok(()));
-        pslg.polygons = vec![1..4];
+        pslg.polygons[0] = 1..4;
         let Err(Error::OpenPolygon { vertex, .. }) = require_closed(&pslg) else {
             panic!("an open polygon");
         };

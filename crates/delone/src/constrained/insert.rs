@@ -61,8 +61,7 @@ pub(super) fn insert_all(
         }
         watch.progress(Phase::Constrain, done, total);
         for &ends in block {
-            let [a, b] = ends;
-            let Ok(()) = inserter.insert(draft, a, b, |v| inner.push(v)) else {
+            let Ok(()) = inserter.insert(draft, ends, &mut inner) else {
                 return Outcome::Blocked;
             };
             if !inner.is_empty() {
@@ -84,7 +83,7 @@ fn find(
 ) -> Option<Vec<Option<HalfEdgeId>>> {
     let chunk = workers.chunk_len(segments.len(), 8).min(1 << 16);
     let found = workers.map(segments.chunks(chunk).collect(), |segments: &[_]| {
-        let find = |&[a, b]: &[VertexId; 2]| draft.find_edge(a, b);
+        let find = |&[a, b]: &[VertexId; 2]| draft.find_edge(a, b).ok();
         let found = segments.iter().map(find).collect::<Vec<_>>();
         (!watch.is_cancelled()).then_some(found)
     });

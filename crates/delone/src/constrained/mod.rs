@@ -1,6 +1,7 @@
 //! The canonical constrained Delaunay triangulation of a domain.
 
 mod build;
+mod bulk;
 mod carve;
 mod corridor;
 mod draft;

@@ -11,6 +11,9 @@ use crate::{HalfEdgeId, VertexId};
 
 /// Marks the faces outside of all polygons.
 pub(super) fn outside_union(draft: &Draft, segments: &Segments) -> Vec<bool> {
+    if draft.mesh.num_faces() == 0 {
+        return Vec::new();
+    }
     let borders = Borders::of(segments);
     let components = Components::find(draft, &borders);
     let outside = components.outside_of(&borders, segments.polygons.len());

@@ -1,34 +1,38 @@
-//! One side of a corridor: the path of edges that bounds it, and how it is filled with triangles.
+//! One side of a corridor: the edges that bound it, and how it is filled by cutting ears.
 
 use super::draft::{Draft, Mark};
 use crate::predicates::{Orientation, orient2d};
 use crate::{HalfEdgeId, TriangleId, VertexId};
 
-/// The edges along one side of a corridor, in the order in which the segment passes them.
+/// The edges along one side of a corridor: first in the order in which the segment passes them, in the
+/// end counter-clockwise about the side.
 #[derive(Default)]
 pub(super) struct Side {
-    rim: Vec<RimEdge>,
-    /// The edges whose other side has not turned up on this rim, as a stack.
+    pub rim: Vec<RimEdge>,
+    /// The edges whose other side may still turn up on this rim, as a stack.
     open: Vec<u32>,
+    /// For each edge of the rim what was built first where both of its sides are on the rim.
+    built: Vec<Option<HalfEdgeId>>,
     scan: Vec<Corner>,
 }
 
 /// An edge between the corridor and what stays.
-struct RimEdge {
+#[derive(Clone, Copy)]
+pub(super) struct RimEdge {
+    /// Where it ends.
+    pub to: VertexId,
+    pub beyond: Beyond,
+    pub mark: Mark,
     /// Its half-edge in the corridor as it was.
     within: HalfEdgeId,
-    /// Where that half-edge ended.
-    to: VertexId,
-    beyond: Beyond,
-    mark: Mark,
 }
 
 /// What lies beyond an edge of the rim.
 #[derive(Clone, Copy)]
-enum Beyond {
-    /// This half-edge, which stays or has been built.
+pub(super) enum Beyond {
+    /// This half-edge, which stays.
     Stays(HalfEdgeId),
-    /// The corridor itself: the edge has both sides on the rim, the other one at this index.
+    /// The corridor itself: the other side of the edge stands at this index of the same rim.
     Rim(u32),
 }
 
@@ -57,57 +61,75 @@ impl Side {
 
     /// Adds the edge of half-edge `within`, which belongs to a triangle of the corridor.
     ///
-    /// An edge that ends in the corridor is passed on both sides. Such edges nest like parentheses, so
-    /// the other side is the last one still open.
+    /// An edge that only leads into the corridor is passed on both sides. Such pairs nest, but what
+    /// stands between the two need not be pairs: the edge may carry triangles at its end.
     #[inline]
     pub fn push(&mut self, draft: &Draft, within: HalfEdgeId) {
         let index = self.rim.len() as u32;
         let twin = draft.mesh.twin(within);
-        let other = self.open.last().copied();
-        let beyond = match other.filter(|&i| self.rim[i as usize].within == twin) {
-            Some(other) => {
-                self.open.pop();
-                self.rim[other as usize].beyond = Beyond::Rim(index);
-                Beyond::Rim(other)
-            }
-            None => {
-                self.open.push(index);
-                Beyond::Stays(twin)
-            }
+        let beyond = if draft.marks.is_in_corridor(twin.triangle()) {
+            let other = self.close(twin);
+            self.rim[other as usize].beyond = Beyond::Rim(index);
+            Beyond::Rim(other)
+        } else {
+            self.open.push(index);
+            Beyond::Stays(twin)
         };
         self.rim.push(RimEdge {
-            within,
             to: draft.mesh.dest(within),
             beyond,
             mark: draft.marks.get(within),
+            within,
         });
     }
 
-    /// Fills the side with triangles, in faces taken from `faces`, and returns the half-edge of the
-    /// segment in them, whose twin is still to be bonded.
+    /// Finds the edge that had half-edge `within`.
+    #[cold]
+    fn close(&mut self, within: HalfEdgeId) -> u32 {
+        loop {
+            let other = self.open.pop().expect("bug: the other side is on this rim");
+            if self.rim[other as usize].within == within {
+                return other;
+            }
+        }
+    }
+
+    /// Turns the rim of a left side round, so that it runs counter-clockwise about its side.
+    pub fn reverse(&mut self) {
+        self.rim.reverse();
+        let last = self.rim.len() as u32 - 1;
+        for edge in &mut self.rim {
+            if let Beyond::Rim(other) = &mut edge.beyond {
+                *other = last - *other;
+            }
+        }
+    }
+
+    /// Fills the side with triangles, in the next of `faces`, and returns the half-edge of the segment
+    /// in them, whose twin is still to be bonded. The rim begins at vertex `start`.
     ///
-    /// Counter-clockwise the path begins at `start` and follows the rim, backwards with `REVERSED`.
     /// The new edges are added to `suspects`: they may not be Delaunay.
-    pub fn fill<const REVERSED: bool>(
+    pub fn fill(
         &mut self,
         start: VertexId,
         draft: &mut Draft,
-        faces: &mut Vec<TriangleId>,
+        faces: &mut impl Iterator<Item = TriangleId>,
         suspects: &mut Vec<HalfEdgeId>,
     ) -> HalfEdgeId {
+        self.built.clear();
+        self.built.resize(self.rim.len(), None);
         self.scan.clear();
         self.scan.push(Corner {
             vertex: start,
             arrival: Arrival::Start,
         });
-        for i in 0..self.rim.len() {
-            let index = if REVERSED { self.rim.len() - 1 - i } else { i };
+        for index in 0..self.rim.len() {
             self.scan.push(Corner {
                 vertex: self.rim[index].to,
                 arrival: Arrival::Rim(index as u32),
             });
             while self.ends_in_ear(draft) {
-                let face = faces.pop().expect("bug: more triangles than were cleared");
+                let face = faces.next().expect("bug: more triangles than were cleared");
                 suspects.push(self.cut_ear(draft, face));
             }
         }
@@ -157,7 +179,10 @@ impl Side {
                 draft.marks.set(h, mark);
                 match beyond {
                     Beyond::Stays(other) => draft.mesh.bond(h, other),
-                    Beyond::Rim(other) => self.rim[other as usize].beyond = Beyond::Stays(h),
+                    Beyond::Rim(other) => match self.built[other as usize] {
+                        Some(other) => draft.mesh.bond(h, other),
+                        None => self.built[i as usize] = Some(h),
+                    },
                 }
             }
         }

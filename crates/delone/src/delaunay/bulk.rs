@@ -178,7 +178,9 @@ fn hand_out(
 ) -> Option<Triangulation> {
     watch.progress(Phase::Export, 0, 1);
     let keys = &curve.ordered.keys;
-    export::renumber(&mut curve.corners, keys, workers, watch)?;
+    // The key of the vertex at infinity is all ones, and so is its name.
+    let name = |v: VertexId| VertexId::from(keys[v.index()] as u32);
+    export::rename(&mut curve.corners, name, workers, watch)?;
     let duplicates = if curve.has_merged {
         export::duplicates(&curve.ordered.points[..points.len()], keys)
     } else {

@@ -73,10 +73,10 @@ fn swap(sheet: Sheet, a: u32, b: u32) {
     }
 }
 
-/// Replaces positions by the caller's indices, and infinity by the infinite vertex.
-pub(super) fn renumber(
+/// Gives every corner a new name; `None` if the watch cancelled.
+pub(crate) fn rename(
     corners: &mut [[VertexId; 3]],
-    keys: &[u64],
+    name: impl Fn(VertexId) -> VertexId + Sync,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<()> {
@@ -88,7 +88,7 @@ pub(super) fn renumber(
                 return None;
             }
             for v in rows.as_flattened_mut() {
-                *v = VertexId::from(keys[v.index()] as u32);
+                *v = name(*v);
             }
             Some(())
         },

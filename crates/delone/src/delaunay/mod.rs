@@ -26,7 +26,7 @@ mod sheet;
 mod signs;
 
 pub(crate) use bulk::{Curve, CurveParts, check_number};
-pub(crate) use export::duplicates;
+pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
 
 use crate::{Error, Point, Triangulation, Watch, parallel};

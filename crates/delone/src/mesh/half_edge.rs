@@ -18,6 +18,11 @@ impl Mesh {
         Self { corners, twins }
     }
 
+    /// Hands out the rows of corners and twins.
+    pub(crate) fn into_rows(self) -> (Vec<[VertexId; 3]>, Vec<[HalfEdgeId; 3]>) {
+        (self.corners, self.twins)
+    }
+
     /// Counts the faces, ghosts included.
     #[inline]
     pub fn num_faces(&self) -> usize {

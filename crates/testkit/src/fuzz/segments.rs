@@ -1,21 +1,13 @@
 //! Small domains: points as in [`points`](super::points), drawn upon at random.
 
 use super::points::{kind, points_from_bytes};
-use super::{Case, array, without_one};
+use super::{Case, array, guarded, without_one};
+use crate::domains::{
+    Domain, check_canonical, check_error, check_naive, check_sound, has_crossing,
+};
 use crate::generate::Random;
 use delone::{DomainRule, Point, Pslg, Region, SegmentPolicy, VertexId};
 use std::ops::Range;
-
-/// A domain, and how it is to be triangulated.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Domain {
-    /// What is drawn.
-    pub pslg: Pslg,
-    /// What is to be done with crossings.
-    pub crossings: SegmentPolicy,
-    /// What is to be kept.
-    pub rule: DomainRule,
-}
 
 const RULES: [DomainRule; 3] = [DomainRule::Hull, DomainRule::Carve, DomainRule::EvenOdd];
 
@@ -65,7 +57,7 @@ fn draw(pslg: &mut Pslg, segments: usize, r: &mut Random) {
     let is_polygon = r.below(2) == 0;
     while pslg.segments.len() < segments {
         let first = pslg.segments.len();
-        let mut some = |least: usize, r: &mut Random| {
+        let some = |least: usize, r: &mut Random| {
             let count = least + r.below(5);
             let line: Vec<_> = (0..count).map(|_| any_vertex(pslg, r)).collect();
             line
@@ -117,7 +109,7 @@ fn repeat(pslg: &mut Pslg, r: &mut Random) {
 
 /// Plants the seeds of holes and regions, more often between points than upon them.
 fn plant(pslg: &mut Pslg, r: &mut Random) {
-    let mut seed = |r: &mut Random| {
+    let seed = |r: &mut Random| {
         let [a, b, c] = [0; 3].map(|_| pslg.points[r.below(pslg.points.len())]);
         let middle = |a: f64, b: f64| a / 2.0 + b / 2.0;
         let ab = Point::new(middle(a.x, b.x), middle(a.y, b.y));
@@ -128,7 +120,7 @@ fn plant(pslg: &mut Pslg, r: &mut Random) {
             _ => Point::new(middle(ab.x, c.x), middle(ab.y, c.y)),
         }
     };
-    let mut some = |r: &mut Random| {
+    let some = |r: &mut Random| {
         let count = r.below(6).saturating_sub(3);
         let seeds: Vec<_> = (0..count).map(|_| seed(r)).collect();
         seeds
@@ -169,34 +161,96 @@ pub fn domain_from_bytes(bytes: &[u8]) -> Domain {
     }
     let vertex = |&end: &u8| VertexId::new(usize::from(end) % points.len());
     let pslg = &mut domain.pslg;
-    pslg.segments = ends.as_chunks().0.iter().map(|[a, b]| [vertex(a), vertex(b)]).collect();
+    pslg.segments = ends
+        .as_chunks()
+        .0
+        .iter()
+        .map(|[a, b]| [vertex(a), vertex(b)])
+        .collect();
     if mode & 0x40 != 0 {
         pslg.polygons.push(0..pslg.segments.len());
     }
     if mode & 0x80 != 0 {
         pslg.holes = points[..1].to_vec();
-        pslg.regions = points[1..].first().map(|&at| region(at)).into_iter().collect();
+        pslg.regions = points[1..]
+            .first()
+            .map(|&at| region(at))
+            .into_iter()
+            .collect();
     }
     pslg.points = points;
     domain
+}
+
+/// Triangulates a domain and checks the result; a panic is a failure too. With `is_deep`, it is
+/// compared with the definitions, and built on several threads.
+///
+/// # Errors
+/// What went wrong.
+pub fn check(domain: &Domain, is_deep: bool, seed: u64) -> Result<(), String> {
+    guarded(|| check_result(domain, is_deep, seed))
+}
+
+fn check_result(domain: &Domain, is_deep: bool, seed: u64) -> Result<(), String> {
+    let t = match domain.triangulate(1) {
+        Ok(t) => t,
+        Err(error) => return check_error(domain, &error),
+    };
+    if domain.crossings == SegmentPolicy::Error && has_crossing(&domain.pslg) {
+        return Err("a crossing was not refused".to_owned());
+    }
+    check_sound(&domain.pslg, &t)?;
+    let threads = if is_deep { 3 } else { 1 };
+    check_canonical(domain, &t, threads, &mut Random::new(seed))?;
+    if is_deep {
+        check_naive(domain, &t)
+    } else {
+        Ok(())
+    }
 }
 
 impl Case for Domain {
     fn smaller(&self) -> Vec<Self> {
         let pslg = &self.pslg;
         let parts = [
-            without_one(&pslg.polygons).map(|polygons| Pslg { polygons, ..pslg.clone() }).collect(),
-            without_one(&pslg.holes).map(|holes| Pslg { holes, ..pslg.clone() }).collect(),
-            without_one(&pslg.regions).map(|regions| Pslg { regions, ..pslg.clone() }).collect(),
-            (0..pslg.segments.len()).map(|s| without_segment(pslg, s)).collect(),
-            (0..pslg.points.len()).filter_map(|v| without_point(pslg, v)).collect::<Vec<_>>(),
+            without_one(&pslg.polygons)
+                .map(|polygons| Pslg {
+                    polygons,
+                    ..pslg.clone()
+                })
+                .collect(),
+            without_one(&pslg.holes)
+                .map(|holes| Pslg {
+                    holes,
+                    ..pslg.clone()
+                })
+                .collect(),
+            without_one(&pslg.regions)
+                .map(|regions| Pslg {
+                    regions,
+                    ..pslg.clone()
+                })
+                .collect(),
+            (0..pslg.segments.len())
+                .map(|s| without_segment(pslg, s))
+                .collect(),
+            (0..pslg.points.len())
+                .filter_map(|v| without_point(pslg, v))
+                .collect::<Vec<_>>(),
         ];
-        let with = |pslg| Self { pslg, ..self.clone() };
+        let with = |pslg| Self {
+            pslg,
+            ..self.clone()
+        };
         parts.into_iter().flatten().map(with).collect()
     }
 
     fn as_source(&self) -> String {
-        let Self { pslg, crossings, rule } = self;
+        let Self {
+            pslg,
+            crossings,
+            rule,
+        } = self;
         let segments: Vec<_> = pslg.segments.iter().map(|s| s.map(|v| v.raw())).collect();
         format!(
             "let pslg = Pslg {{\n\
@@ -236,4 +290,76 @@ fn without_point(pslg: &Pslg, point: usize) -> Option<Pslg> {
         *v = VertexId::new(v.index() - usize::from(v.index() > point));
     }
     Some(fewer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shrink;
+    use super::*;
+
+    fn domain(seed: u64) -> Domain {
+        let mut domain = Domain::default();
+        case(seed, 10, 8, &mut domain);
+        domain
+    }
+
+    #[test]
+    fn cases_are_named_by_their_seeds_and_pass() {
+        for seed in 0..2000 {
+            let found = domain(seed);
+            assert_eq!(found, domain(seed));
+            let outcome = check(&found, seed % 8 == 0, seed);
+            assert_eq!(outcome, Ok(()), "seed {seed}\n{}", found.as_source());
+        }
+    }
+
+    #[test]
+    fn cases_are_of_every_sort() {
+        let sorts: [fn(&Domain) -> bool; 6] = [
+            |d| has_crossing(&d.pslg),
+            |d| !d.pslg.holes.is_empty(),
+            |d| d.pslg.regions.len() > 1,
+            |d| d.pslg.polygons.len() > 1,
+            |d| d.pslg.segments.iter().any(|[a, b]| a == b),
+            |d| d.triangulate(1).is_ok_and(|t| t.num_crossings() > 5),
+        ];
+        for (i, is_of_sort) in sorts.iter().enumerate() {
+            let count = (0..1000).filter(|&seed| is_of_sort(&domain(seed))).count();
+            assert!(count > 20, "only {count} of sort {i}");
+        }
+    }
+
+    #[test]
+    fn shrinking_keeps_what_matters() {
+        let mut found = domain(1);
+        found.pslg =
+            Pslg::from_points([(5.0, 5.0), (0.0, 0.0), (4.0, 4.0), (0.0, 4.0), (4.0, 0.0)]);
+        found.pslg.add_ring([0u32, 1, 2]);
+        found.pslg.add_ring([3u32, 4, 0]);
+        found.pslg.polygons.push(0..6);
+        found.pslg.holes.push(Point::default());
+        let small = shrink(&found, |d| has_crossing(&d.pslg));
+        let mut expected = Pslg::from_points([(0.0, 0.0), (4.0, 4.0), (0.0, 4.0), (4.0, 0.0)]);
+        expected.add_segment(0, 1);
+        expected.add_segment(2, 3);
+        assert_eq!(small.pslg, expected);
+        assert!(small.as_source().contains("[[0, 1], [2, 3]].map("));
+    }
+
+    #[test]
+    fn bytes_become_domains() {
+        assert_eq!(domain_from_bytes(&[]), Domain::default());
+        let bytes = [0xc3, 2, 0, 1, 2, 3, 0, 0, 0, 0, 1, 1, 1, 1, 0];
+        let found = domain_from_bytes(&bytes);
+        assert_eq!(found.pslg.points.len(), 4);
+        assert_eq!(
+            found.pslg.segments,
+            [[0, 1], [2, 3]].map(|s| s.map(VertexId::from))
+        );
+        assert_eq!(
+            (found.crossings, found.rule),
+            (SegmentPolicy::Error, DomainRule::Carve)
+        );
+        assert_eq!((found.pslg.polygons.len(), found.pslg.holes.len()), (1, 1));
+    }
 }

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The triangles of a domain.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Domain {
+pub struct NaiveDomain {
     /// Counter-clockwise, lowest index first, sorted.
     pub triangles: Vec<[VertexId; 3]>,
     /// For each triangle its region.
@@ -27,7 +27,7 @@ pub fn naive_domain(
     noding: &NaiveNoding,
     triangles: &[[VertexId; 3]],
     rule: DomainRule,
-) -> Result<Domain, Seed> {
+) -> Result<NaiveDomain, Seed> {
     let sheet = Sheet::new(noding, triangles);
     let mut is_inside = match rule {
         DomainRule::Hull => vec![true; triangles.len()],
@@ -47,7 +47,7 @@ pub fn naive_domain(
         }
     }
     let kept = || (0..triangles.len()).filter(|&t| is_inside[t]);
-    Ok(Domain {
+    Ok(NaiveDomain {
         triangles: kept().map(|t| triangles[t]).collect(),
         regions: kept().map(|t| regions[t]).collect(),
     })
@@ -229,7 +229,7 @@ mod tests {
         (noding, triangles)
     }
 
-    fn domain(pslg: &Pslg, rule: DomainRule) -> Result<Domain, Seed> {
+    fn domain(pslg: &Pslg, rule: DomainRule) -> Result<NaiveDomain, Seed> {
         let (noding, triangles) = triangulated(pslg);
         naive_domain(pslg, &noding, &triangles, rule)
     }

@@ -14,7 +14,7 @@ mod noding;
 mod pairs;
 
 pub use constrained::naive_constrained;
-pub use domain::{Domain, naive_domain};
+pub use domain::{NaiveDomain, naive_domain};
 pub use facts::naive_facts;
 pub use noding::{NaiveNoding, naive_first_crossing, naive_noding};
 

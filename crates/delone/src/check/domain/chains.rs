@@ -1,16 +1,18 @@
 //! Each segment is a chain of subsegments.
 //!
 //! From the first end of a segment, a step leads along a subsegment that [goes on](Corridor::goes_on)
-//! to a place that is [near](Corridor::is_near). If the place is on the segment and a subsegment
-//! runs along it, that is the only step: pieces on one line are cut alike. Else, with a bend in
-//! sight, the steps that differ least in direction are tried first, and all others only if those
-//! lead nowhere. Steps never turn back, and no place is passed twice.
+//! to a place that is [near](Corridor::is_near). If the place is on the segment and a subsegment runs
+//! along it, that step is taken. Else, with a bend in sight, the steps that differ least in direction
+//! are tried; only where these lead nowhere, all others. Steps never turn back, and no place is
+//! passed twice.
 //!
-//! Where rounding has left several ways, the chain that is found need not be the one that was meant:
-//! whoever knows the chains should [say so](super::DomainMesh::with_chains).
+//! Where segments run beside each other within the drift, rounding leaves several ways, and the chain
+//! that is found need not be the one that was meant. A subsegment on any of the ways counts as part
+//! of the segment, and so what depends on chains being told apart, the even–odd rule, may be judged
+//! wrong between them: whoever knows the chains should [say so](super::DomainMesh::with_chains).
 //!
-//! *Cost*: O(log d) for a step from a place with d subsegments; O(d) where a bend is far from the
-//! direction of its segment, or a segment has no chain.
+//! *Cost*: O(log d) for a step from a place with d subsegments, more only where segments run beside
+//! each other within the drift; all attempts beyond these together are limited by the size of the graph.
 
 use super::super::pace::Pace;
 use super::bends::Bends;
@@ -18,6 +20,10 @@ use super::drift::Corridor;
 use super::graph::{Dart, Graph};
 use super::places::Place;
 use crate::{Error, VertexId};
+
+/// Darts that are tried just because they are there, for each dart and place of the graph: far more
+/// than a right mesh needs, and a limit for wrong ones with many segments from one place.
+const PATIENCE: usize = 64;
 
 /// The chains that a builder claims: for each segment its vertices.
 pub(super) type Claimed<'a> = &'a dyn Fn(usize) -> &'a [VertexId];
@@ -58,7 +64,18 @@ impl Chains {
             }
             finder.chains.starts.push(finder.chains.darts.len());
         }
+        if claimed.is_none() {
+            finder.look_closer(segments, pace)?;
+        }
         Ok(finder.chains)
+    }
+
+    /// Visits the subsegments that are part of no segment.
+    pub fn stray(&self, graph: &Graph) -> impl Iterator<Item = usize> {
+        let edges = graph.edges().iter().zip(&self.owners).enumerate();
+        edges
+            .filter(|(_, (edge, owner))| edge.is_subsegment && owner.is_none())
+            .map(|(edge, _)| edge)
     }
 
     /// Returns the darts along a segment.
@@ -116,6 +133,8 @@ struct Finder<'a> {
     passed: Vec<bool>,
     /// For each place that was passed, the dart by which it was reached.
     arrived_by: Vec<Dart>,
+    /// How many darts may still be tried just because they are there.
+    patience: usize,
 }
 
 impl<'a> Finder<'a> {
@@ -135,6 +154,7 @@ impl<'a> Finder<'a> {
             ahead: Vec::new(),
             passed: vec![false; num_places],
             arrived_by: vec![Dart::rightward(0); num_places],
+            patience: PATIENCE * (graph.num_darts() + num_places),
         }
     }
 
@@ -175,7 +195,7 @@ impl<'a> Finder<'a> {
             return Ok(None);
         }
         let mut reached = self.walk(track, Steps::Straight, pace)?;
-        if reached != to {
+        if reached != to && self.patience > 0 {
             reached = self.walk(track, Steps::All, pace)?;
         }
         if reached != to {
@@ -190,6 +210,23 @@ impl<'a> Finder<'a> {
         }
         self.found.reverse();
         Ok(None)
+    }
+
+    /// Looks for all ways of the segments, if some subsegments are part of none yet.
+    fn look_closer(&mut self, segments: &[[VertexId; 2]], pace: &mut Pace) -> Result<(), Error> {
+        if self.chains.stray(self.graph).next().is_none() {
+            return Ok(());
+        }
+        for (segment, ends) in segments.iter().enumerate() {
+            pace.step()?;
+            let track = Track::new(self.graph, ends.map(|v| self.graph.places.of(v)));
+            // What crosses nothing has no other ways.
+            if self.chains.of(segment).len() > 1 && self.patience > 0 {
+                self.walk(&track, Steps::All, pace)?;
+                self.own(segment, &track);
+            }
+        }
+        Ok(())
     }
 
     /// Goes all ways that `steps` permit; returns the end if one leads there, else the last place.
@@ -231,36 +268,49 @@ impl<'a> Finder<'a> {
     ) -> Result<(), Error> {
         let graph = self.graph;
         let star = graph.star(at);
-        let to = track.ends[1];
-        let turn = |dart: &Dart| graph.turn(at, graph.dest(*dart), to);
-        let ahead = star.partition_point(|dart| turn(dart).is_lt());
         let permitted = |dart: &&Dart| track.permits(graph, **dart);
-        let straight = star.get(ahead).filter(|dart| turn(dart).is_eq());
-        if let Some(&straight) = straight.filter(permitted)
-            && track.corridor.is_on_line(graph.places.at(at))
-        {
-            self.ahead.push(straight);
-            return Ok(());
-        }
         if steps == Steps::All {
             for dart in star {
                 pace.step()?;
                 self.ahead.extend(Some(*dart).filter(|d| permitted(&d)));
             }
+            self.patience = self.patience.saturating_sub(star.len());
             return Ok(());
         }
-        let counter_clockwise = star[ahead..].iter().chain(&star[..ahead]);
-        let clockwise = star[..ahead].iter().rev().chain(star[ahead..].iter().rev());
-        let first = self.ahead.len();
+        let is_on_line = |place: Place| track.corridor.is_on_line(graph.places.at(place));
+        let turn = |dart: &Dart| graph.turn(at, graph.dest(*dart), track.ends[1]);
+        let first = star.partition_point(|dart| turn(dart).is_lt());
+        let straight = star.get(first).filter(|dart| turn(dart).is_eq());
+        if let Some(&straight) = straight.filter(permitted)
+            && is_on_line(at)
+        {
+            self.ahead.push(straight);
+            return Ok(());
+        }
+        let (before, after) = star.split_at(first);
+        let counter_clockwise = after.iter().chain(before);
+        let clockwise = before.iter().rev().chain(after.iter().rev());
+        let new = self.ahead.len();
         self.ahead.extend(counter_clockwise.take_while(permitted));
         self.ahead.extend(clockwise.take_while(permitted));
-        let is_on_line = |d: &Dart| track.corridor.is_on_line(graph.places.at(graph.dest(*d)));
-        self.ahead[first..].sort_by_key(is_on_line);
+        self.ahead[new..].sort_by_key(|&dart| is_on_line(graph.dest(dart)));
         Ok(())
     }
 
     /// Keeps what was found for a segment; one without length passes nothing.
     fn keep(&mut self, segment: usize, track: &Track) {
+        self.own(segment, track);
+        for &dart in &self.found {
+            let place = self.graph.dest(dart);
+            if !track.corridor.is_on_line(self.graph.places.at(place)) {
+                self.chains.bends.bend(segment, place);
+            }
+        }
+        self.chains.darts.extend(&self.found);
+    }
+
+    /// Notes that a segment passes, or may pass, where it was tried.
+    fn own(&mut self, segment: usize, track: &Track) {
         let Chains { bends, owners, .. } = &mut self.chains;
         if !self.tried.is_empty() {
             bends.pass(self.graph, track.ends[0], track.ends, &track.corridor);
@@ -270,12 +320,5 @@ impl<'a> Finder<'a> {
             let place = self.graph.dest(dart);
             bends.pass(self.graph, place, track.ends, &track.corridor);
         }
-        for &dart in &self.found {
-            let place = self.graph.dest(dart);
-            if !track.corridor.is_on_line(self.graph.places.at(place)) {
-                bends.bend(segment, place);
-            }
-        }
-        self.chains.darts.extend(&self.found);
     }
 }

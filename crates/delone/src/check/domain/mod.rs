@@ -43,7 +43,7 @@
 //! a triangulation with all constrained edges for which that holds is the constrained Delaunay
 //! triangulation (Lee and Lin 1986); under the perturbation there is one only.
 //!
-//! *Cost*: O((n + m) log (n + m)) for n points and m subsegments, with the exceptions of [`chains`];
+//! *Cost*: O((n + m) log (n + m)) for n points and m subsegments;
 //! memory about 150 bytes a point and 40 a triangle. The verification ends after the first group of
 //! tests that finds a defect where the next ones would have no meaning.
 //!
@@ -103,8 +103,9 @@ impl<'a> DomainMesh<'a> {
     /// Claims for each segment the chain of its vertices, from its first end to its second, which
     /// will be verified; a segment without length has one.
     ///
-    /// Without this, chains are found by the verifier, which takes one that fits where rounding has
-    /// left several.
+    /// Without this, chains are found by the verifier. Where segments run beside each other within a few
+    /// units in the last place, it takes one that fits, which need not be the one that was meant; with
+    /// [`DomainRule::EvenOdd`] a right mesh may be found wrong then.
     pub fn with_chains(self, chains: &'a dyn Fn(usize) -> &'a [VertexId]) -> Self {
         Self {
             chains: Some(chains),
@@ -345,7 +346,7 @@ impl DomainVerifier<'_, '_> {
                 corner: corner(place),
             });
         }
-        for edge in stray(graph, &chains) {
+        for edge in chains.stray(graph) {
             let edge = graph.corners(Dart::rightward(edge));
             defects.push(Defect::StraySubsegment { edge });
         }
@@ -405,12 +406,4 @@ impl DomainVerifier<'_, '_> {
             holes,
         })
     }
-}
-
-/// Visits the subsegments that are part of no segment.
-fn stray(graph: &Graph, chains: &Chains) -> impl Iterator<Item = usize> {
-    let edges = graph.edges().iter().zip(&chains.owners).enumerate();
-    edges
-        .filter(|(_, (edge, owner))| edge.is_subsegment && owner.is_none())
-        .map(|(edge, _)| edge)
 }
