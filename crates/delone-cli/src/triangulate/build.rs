@@ -29,7 +29,7 @@ pub enum Built {
     /// Of bare points.
     Points(Triangulation),
     /// Of points and segments.
-    Domain(ConstrainedTriangulation),
+    Domain(Box<ConstrainedTriangulation>),
 }
 
 /// How long the phases took.
@@ -67,7 +67,8 @@ impl Building {
             delaunay.triangulate(points).map(Built::Points)
         } else {
             let builder = self.builder(domain).watch(&stopwatch);
-            builder.triangulate(domain.take_pslg()).map(Built::Domain)
+            let built = builder.triangulate(domain.take_pslg());
+            built.map(|domain| Built::Domain(domain.into()))
         };
         let built = built.map_err(|error| numbering.failure(error))?;
         let [constrain, carve] = stopwatch.stop();
