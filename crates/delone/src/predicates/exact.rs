@@ -5,6 +5,7 @@
 //! the full exponent range, coordinates of 2,100 bits.
 
 use super::polynomial::{cross, dot, in_circle_terms};
+use super::quotient::rounded;
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -41,19 +42,40 @@ fn sign(value: &BigInt) -> Ordering {
     }
 }
 
+/// Finds where two segments that cross properly meet, correctly rounded.
+pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
+    let unit = common_unit(&[a, b, c, d]);
+    let [a, b, c, d] = [a, b, c, d].map(|p| scaled(p, unit));
+    let [along, other, between] = [[&b, &a], [&d, &c], [&c, &a]].map(|[to, from]| minus(to, from));
+    let denominator = cross(&along, &other);
+    let numerator = cross(&between, &other);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &a[k] * &denominator + &along[k] * &numerator;
+        rounded(&product, &denominator, unit)
+    });
+    Point::new(x, y)
+}
+
 /// Finds the vectors from `origin` to `points`, up to a common factor.
 fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
-    let coordinates = points.iter().chain([&origin]).flat_map(|p| [p.x, p.y]);
-    let unit = coordinates
-        .map(|x| Dyadic::new(x).exponent)
-        .min()
-        .unwrap_or(0);
-    let scaled = |p: Point| [p.x, p.y].map(|x| Dyadic::new(x).in_units_of(unit));
-    let [ox, oy] = scaled(origin);
-    points.map(|p| {
-        let [x, y] = scaled(p);
-        [x - &ox, y - &oy]
-    })
+    let unit = common_unit(&points).min(common_unit(&[origin]));
+    let origin = scaled(origin, unit);
+    points.map(|p| minus(&scaled(p, unit), &origin))
+}
+
+/// Finds the exponent of a power of two that divides all coordinates.
+fn common_unit(points: &[Point]) -> i32 {
+    let coordinates = points.iter().flat_map(|p| [p.x, p.y]);
+    let exponents = coordinates.map(|x| Dyadic::new(x).exponent);
+    exponents.min().unwrap_or(i32::MAX)
+}
+
+fn scaled(p: Point, unit: i32) -> [BigInt; 2] {
+    [p.x, p.y].map(|x| Dyadic::new(x).in_units_of(unit))
+}
+
+fn minus([ax, ay]: &[BigInt; 2], [bx, by]: &[BigInt; 2]) -> [BigInt; 2] {
+    [ax - bx, ay - by]
 }
 
 /// The number `mantissa · 2^exponent`, the mantissa odd unless the number is zero.

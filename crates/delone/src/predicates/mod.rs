@@ -3,7 +3,8 @@
 //! Each predicate is the sign of a polynomial in the coordinates, found in up to three
 //! [stages](stage): a floating-point filter with a proven error bound (`filter.rs`), fixed-width
 //! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
-//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`).
+//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). One construction lives
+//! here too, because it is as exact as a rounded number can be: [`crossing_point`].
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
@@ -18,11 +19,14 @@
 use crate::Point;
 use std::cmp::Ordering;
 
+mod crossing;
+mod double;
 mod exact;
 mod filter;
 mod integer;
 mod perturbation;
 mod polynomial;
+mod quotient;
 pub mod stage;
 
 pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
@@ -184,6 +188,56 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> CircleSide {
         Some(sign) => CircleSide::from_sign(sign.reverse()),
         None => in_diametral_circle_exact(a, b, p),
     }
+}
+
+/// Tells whether the segments `ab` and `cd` cross properly: in one point that is an end of neither.
+///
+/// Laws, for all finite points: symmetric in the two segments and in the ends of each; segments that
+/// touch, overlap or share an end do not cross.
+#[inline]
+pub fn cross_properly([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    are_separated([c, d], [a, b]) && are_separated([a, b], [c, d])
+}
+
+/// Tells whether `c` and `d` lie strictly on different sides of the line `ab`.
+#[inline]
+fn are_separated([c, d]: [Point; 2], [a, b]: [Point; 2]) -> bool {
+    match orient2d(a, b, c) {
+        Orientation::Collinear => false,
+        side => orient2d(a, b, d) == side.reversed(),
+    }
+}
+
+/// Tells whether `p` lies on the segment `ab`, ends excluded.
+///
+/// Laws, for all finite points: symmetric in `a` and `b`; false if `a` equals `b`.
+#[inline]
+pub fn is_between(a: Point, b: Point, p: Point) -> bool {
+    let (ap, pb) = (a.lex_cmp(&p), p.lex_cmp(&b));
+    ap == pb && ap.is_ne() && orient2d(a, b, p) == Orientation::Collinear
+}
+
+/// Returns the point where the segments `ab` and `cd` cross, each coordinate the `f64` nearest to
+/// the exact one (of two, the even one); `None` if they do not [cross properly](cross_properly).
+///
+/// Laws, for all finite points: symmetric in the two segments and in the ends of each; the point lies
+/// in the bounding boxes of both; multiplying all coordinates by a power of two multiplies the result
+/// as long as nothing is rounded.
+///
+/// ```
+/// use delone::predicates::crossing_point;
+/// let s = [(0.0, 0.0), (3.0, 1.0)].map(Into::into);
+/// let t = [(0.0, 1.0), (3.0, 0.0)].map(Into::into);
+/// assert_eq!(crossing_point(s, t), Some((1.5, 0.5).into()));
+/// assert_eq!(crossing_point(s, [s[0], t[1]]), None);
+/// ```
+pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<Point> {
+    cross_properly(s, t).then(|| construct_crossing(s, t))
+}
+
+/// [`crossing_point`] for callers who know that the segments cross properly.
+pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
+    crossing::crossing(s, t).0
 }
 
 /// [`orient2d`] for callers whose own filter has failed.

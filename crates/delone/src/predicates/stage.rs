@@ -2,7 +2,7 @@
 //!
 //! Answers are those of the functions of the same name [one level up](super).
 
-use super::{CircleSide, Orientation, exact, filter, integer, perturbation};
+use super::{CircleSide, Orientation, crossing, exact, filter, integer, perturbation};
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -67,6 +67,12 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) 
         || exact::diametral(a, b, p),
     );
     (CircleSide::from_sign(sign.reverse()), stage)
+}
+
+/// Returns the point where the segments cross properly, correctly rounded, and which stage found it;
+/// there are no fixed-width integers for this.
+pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<(Point, Stage)> {
+    super::cross_properly(s, t).then(|| crossing::crossing(s, t))
 }
 
 /// Takes the answer of the first stage that has one.

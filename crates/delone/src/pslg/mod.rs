@@ -5,8 +5,14 @@
 //! needs to be clean: points may be equal, segments may repeat, overlap, run through points and
 //! cross (see [`SegmentPolicy`]).
 
+mod boxes;
 mod chains;
+mod meeting;
 mod noding;
+mod pieces;
+mod rounds;
+mod search;
+mod vertices;
 
 pub(crate) use chains::Chains;
 pub(crate) use noding::{Noding, first_crossing, node};

@@ -2,6 +2,7 @@
 //!
 //! `DELONE_CASES=n` makes n cases of each family (default 20,000); each case asks five predicates.
 
+mod crossing;
 mod families;
 mod fixtures;
 mod laws;

@@ -1,0 +1,108 @@
+//! Double-double arithmetic: a number as the unevaluated sum of two `f64`, about 106 bits.
+//!
+//! The operations and bounds are those of Joldes, Muller and Popescu, *Tight and rigorous error
+//! bounds for basic building blocks of double-word arithmetic* (2017); u = 2⁻⁵³. They hold as long
+//! as nothing under- or overflows, which callers must see to. Products are split by Dekker's method
+//! instead of fused: without the hardware for it, fusing is slow, and results must not depend on it.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// The number `high + low`, where `high` is the sum rounded to nearest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Double {
+    pub high: f64,
+    pub low: f64,
+}
+
+impl Double {
+    /// Returns `a + b`, exactly (Knuth).
+    #[inline(always)]
+    pub fn sum(a: f64, b: f64) -> Self {
+        let high = a + b;
+        let a_virtual = high - b;
+        let b_virtual = high - a_virtual;
+        let low = (a - a_virtual) + (b - b_virtual);
+        Self { high, low }
+    }
+
+    /// Returns `a + b`, exactly, for |a| ≥ |b| (Dekker).
+    #[inline(always)]
+    fn ordered_sum(a: f64, b: f64) -> Self {
+        let high = a + b;
+        Self {
+            high,
+            low: b - (high - a),
+        }
+    }
+
+    /// Returns `a · b`, exactly (Dekker).
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Self {
+        let high = a * b;
+        let ([a1, a0], [b1, b0]) = (halves(a), halves(b));
+        let low = a0 * b0 - (((high - a1 * b1) - a0 * b1) - a1 * b0);
+        Self { high, low }
+    }
+}
+
+/// Splits into a sum of two numbers of at most 26 bits each.
+#[inline(always)]
+fn halves(a: f64) -> [f64; 2] {
+    const SPLITTER: f64 = ((1_u64 << 27) + 1) as f64;
+    let shifted = SPLITTER * a;
+    let high = shifted - (shifted - a);
+    [high, a - high]
+}
+
+/// Relative error at most 2u².
+impl Add<f64> for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, b: f64) -> Self {
+        let sum = Self::sum(self.high, b);
+        Self::ordered_sum(sum.high, self.low + sum.low)
+    }
+}
+
+/// Relative error at most 3u² + 13u³.
+impl Sub for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        let high = Self::sum(self.high, -b.high);
+        let low = Self::sum(self.low, -b.low);
+        let first = Self::ordered_sum(high.high, high.low + low.high);
+        Self::ordered_sum(first.high, low.low + first.low)
+    }
+}
+
+/// Relative error at most 7u².
+impl Mul for &Double {
+    type Output = Double;
+
+    #[inline(always)]
+    fn mul(self, b: Self) -> Double {
+        let product = Double::product(self.high, b.high);
+        let cross = self.high * b.low + self.low * b.high;
+        Double::ordered_sum(product.high, product.low + cross)
+    }
+}
+
+/// Relative error at most 32u².
+///
+/// With q = high/high rounded, the remainder r = self − q·b is computed from pieces of at most
+/// 6u·|self| with four roundings, hence to 16u²·|self|; r/b.high errs by two more factors 1 + u and
+/// the final sum by nothing.
+impl Div for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        let quotient = self.high / b.high;
+        let back = Self::product(quotient, b.high);
+        let rest = (((self.high - back.high) - back.low) + self.low) - quotient * b.low;
+        Self::ordered_sum(quotient, rest / b.high)
+    }
+}

@@ -1,0 +1,282 @@
+//! The rounds of canonical noding: find all that must be cut, then cut it all at once.
+//!
+//! Subsegments are never changed: one that is cut stays as the parent of its pieces, so that the
+//! chains of the input segments can be read off in the end, and pieces that are equal are one
+//! subsegment. From the second round on only pairs with a new member are looked at: each round's new
+//! subsegments get a tree of their own, which is joined with itself and with all older trees. (New
+//! vertices need none: each is an end of a new subsegment.)
+
+use super::boxes::BoxTree;
+use super::meeting::{Ends, Meeting, meet};
+use super::noding::Noding;
+use super::pieces::Pieces;
+use super::search::{Pace, Sweep, tree_of, tree_of_points};
+use super::vertices::{Index, Vertices};
+use crate::parallel::Workers;
+use crate::predicates::{Orientation, construct_crossing, orient2d};
+use crate::{Point, VertexId, Watch};
+
+/// The state between two rounds.
+pub(super) struct Rounds<'a> {
+    vertices: Vertices<'a>,
+    /// The distinct points of the input.
+    list: &'a [VertexId],
+    pieces: Pieces,
+    segments: &'a [[VertexId; 2]],
+    /// For each of them its subsegment before the first round.
+    roots: Vec<u32>,
+    /// The subsegments that are not cut, a tree for each round that made some; the last are new.
+    layers: Vec<BoxTree>,
+    /// The vertices that no segment of the input ends in.
+    loose: BoxTree,
+    /// Made when the first crossing has been found.
+    index: Option<Index>,
+    /// For each added vertex the first pair of segments that cross there.
+    crossings: Vec<[u32; 2]>,
+    /// Leaves visited in the rounds before.
+    done: u64,
+    workers: Workers,
+    watch: &'a dyn Watch,
+}
+
+/// What one job has found.
+#[derive(Default)]
+struct Found {
+    /// Vertices in the interiors of subsegments.
+    through: Vec<Cut>,
+    crossings: Vec<Crossing>,
+}
+
+/// A subsegment, and a vertex at which it must be cut.
+type Cut = [u32; 2];
+
+/// Where two subsegments cross.
+struct Crossing {
+    at: Point,
+    pair: [u32; 2],
+}
+
+impl<'a> Rounds<'a> {
+    pub fn new(
+        points: &'a [Point],
+        list: &'a [VertexId],
+        segments: &'a [[VertexId; 2]],
+        workers: Workers,
+        watch: &'a dyn Watch,
+    ) -> Self {
+        let vertices = Vertices::new(points);
+        let mut pieces = Pieces::default();
+        let input = segments.iter().zip(0..);
+        let input = input.map(|(&ends, i)| (vertices.sorted(ends.map(VertexId::raw)), i));
+        let roots = pieces.intern(input, vertices.len());
+        let loose = loose_vertices(points.len(), list, segments);
+        let loose = tree_of_points(&vertices, &loose, workers);
+        let all: Vec<u32> = (0..pieces.len() as u32).collect();
+        let layers = vec![tree_of(&vertices, &all, &pieces.ends, workers)];
+        Self {
+            vertices,
+            list,
+            pieces,
+            segments,
+            roots,
+            layers,
+            loose,
+            index: None,
+            crossings: Vec::new(),
+            done: 0,
+            workers,
+            watch,
+        }
+    }
+
+    /// Makes one round; true if something was cut, `None` if the watch cancelled.
+    pub fn step(&mut self) -> Option<bool> {
+        let (through, crossings) = self.search()?;
+        let mut cuts = through;
+        self.place(crossings, &mut cuts)?;
+        if cuts.is_empty() {
+            return Some(false);
+        }
+        self.cut(cuts)?;
+        Some(true)
+    }
+
+    /// Finds everything that must be cut, among pairs with a new member.
+    fn search(&mut self) -> Option<(Vec<Cut>, Vec<Crossing>)> {
+        let (new, old) = self.layers.split_last().expect("bug: no layer");
+        let sweep = Sweep {
+            workers: self.workers,
+            watch: self.watch,
+            done: self.done,
+        };
+        let found = sweep.leaves(new, |leaf, pace, found: &mut Found| {
+            self.search_leaf(new, old, leaf, pace, found)
+        })?;
+        self.done += new.num_leaves() as u64;
+        let (mut cuts, mut crossings) = (Vec::new(), Vec::new());
+        for found in found {
+            cuts.extend(found.through);
+            crossings.extend(found.crossings);
+        }
+        Some((cuts, crossings))
+    }
+
+    fn search_leaf(
+        &self,
+        new: &BoxTree,
+        old: &[BoxTree],
+        leaf: usize,
+        pace: &mut Pace,
+        found: &mut Found,
+    ) -> bool {
+        let Pace { stack, ticks } = pace;
+        let mut is_going_on = new.pairs(leaf, stack, |s, t| {
+            self.look([s, t], found);
+            ticks.step()
+        });
+        for layer in old {
+            is_going_on = is_going_on
+                && new.pairs_with(leaf, layer, stack, |s, t| {
+                    if !self.pieces.is_cut(t) {
+                        self.look([s, t], found);
+                    }
+                    ticks.step()
+                });
+        }
+        is_going_on
+            && new.pairs_with(leaf, &self.loose, stack, |s, v| {
+                if self.is_inside(s, v) {
+                    found.through.push([s, v]);
+                }
+                ticks.step()
+            })
+    }
+
+    /// Looks at a pair of subsegments.
+    fn look(&self, [s, t]: [u32; 2], found: &mut Found) {
+        let [ends_s, ends_t] = [s, t].map(|s| self.pieces.ends[s as usize]);
+        meet(&self.vertices, ends_s, ends_t, |meeting| match meeting {
+            Meeting::EndOfSecond(v) => found.through.push([s, v]),
+            Meeting::EndOfFirst(v) => found.through.push([t, v]),
+            Meeting::Crossing => {
+                let at = construct_crossing(self.positions(ends_s), self.positions(ends_t));
+                let pair = [s, t];
+                found.crossings.push(Crossing { at, pair });
+            }
+            // The ends inside say it all.
+            Meeting::Overlap => {}
+        });
+    }
+
+    fn positions(&self, ends: Ends) -> [Point; 2] {
+        ends.map(|v| self.vertices.at(v))
+    }
+
+    /// Tells whether a vertex lies in the interior of a subsegment.
+    fn is_inside(&self, s: u32, v: u32) -> bool {
+        let ends = self.pieces.ends[s as usize];
+        let [a, b] = self.positions(ends);
+        self.vertices.is_inside(ends, v)
+            && orient2d(a, b, self.vertices.at(v)) == Orientation::Collinear
+    }
+
+    /// Turns crossings into cuts at vertices, new ones where there are none.
+    fn place(&mut self, mut crossings: Vec<Crossing>, cuts: &mut Vec<Cut>) -> Option<()> {
+        if crossings.is_empty() {
+            return Some(());
+        }
+        crossings.sort_unstable_by(|a, b| a.at.lex_cmp(&b.at).then(a.pair.cmp(&b.pair)));
+        if self.index.is_none() {
+            let list = self.list.iter().map(|v| v.raw());
+            self.index = Some(Index::new(&self.vertices, list, self.watch)?);
+        }
+        for group in crossings.chunk_by(|a, b| a.at == b.at) {
+            let pairs = group.iter().map(|c| self.pieces.owners_of(c.pair));
+            let v = self.vertex_at(group[0].at, pairs.min().expect("bug: an empty group"));
+            for s in group.iter().flat_map(|c| c.pair) {
+                // At its own end nothing is cut, only the partner.
+                if !self.pieces.ends[s as usize].contains(&v) {
+                    cuts.push([s, v]);
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Finds or adds the vertex where a pair of input segments cross.
+    fn vertex_at(&mut self, at: Point, pair: [u32; 2]) -> u32 {
+        let index = self.index.as_mut().expect("bug: no index");
+        if let Some(v) = index.get(at) {
+            if let Some(added) = (v as usize).checked_sub(self.vertices.num_input()) {
+                self.crossings[added] = self.crossings[added].min(pair);
+            }
+            return v;
+        }
+        let v = VertexId::new(self.vertices.len()).raw();
+        index.insert(at, v);
+        self.vertices.added.push(at);
+        self.crossings.push(pair);
+        v
+    }
+
+    /// Replaces subsegments by the chains through their cuts, and packs what is new.
+    fn cut(&mut self, mut cuts: Vec<Cut>) -> Option<()> {
+        cuts.sort_unstable();
+        cuts.dedup();
+        let first = self.pieces.len() as u32;
+        self.pieces.cut(&cuts, &self.vertices);
+        if self.watch.is_cancelled() {
+            return None;
+        }
+        let (pieces, workers) = (&self.pieces, self.workers);
+        for layer in &mut self.layers {
+            let is_whole = |s: &u32| !pieces.is_cut(*s);
+            let whole: Vec<u32> = layer.items().iter().copied().filter(is_whole).collect();
+            // What is cut need not be found again; a tree that is mostly dead is made anew.
+            if 2 * whole.len() < layer.items().len() {
+                *layer = tree_of(&self.vertices, &whole, &pieces.ends, workers);
+            }
+        }
+        let new: Vec<u32> = (first..pieces.len() as u32).collect();
+        self.layers.retain(|layer| !layer.items().is_empty());
+        self.layers
+            .push(tree_of(&self.vertices, &new, &pieces.ends, workers));
+        Some(())
+    }
+
+    /// Numbers the added vertices by x, then y, and reads off the chains.
+    pub fn finish(self) -> Noding {
+        let Self {
+            vertices,
+            pieces,
+            crossings,
+            ..
+        } = self;
+        let starts = self.segments.iter().map(|ends| ends[0].raw());
+        let roots = starts.zip(self.roots);
+        let mut order: Vec<usize> = (0..vertices.added.len()).collect();
+        order.sort_unstable_by(|&a, &b| vertices.added[a].lex_cmp(&vertices.added[b]));
+        let n = vertices.num_input();
+        let mut names = vec![0; order.len()];
+        for (name, &v) in order.iter().enumerate() {
+            names[v] = n + name;
+        }
+        let name =
+            |v: u32| VertexId::new((v as usize).checked_sub(n).map_or(v as usize, |i| names[i]));
+        Noding {
+            points: order.iter().map(|&v| vertices.added[v]).collect(),
+            crossings: order.iter().map(|&v| crossings[v]).collect(),
+            chains: pieces.chains(roots, name),
+        }
+    }
+}
+
+/// Lists the vertices that no segment ends in.
+fn loose_vertices(points: usize, list: &[VertexId], segments: &[[VertexId; 2]]) -> Vec<u32> {
+    let mut is_end = vec![false; points];
+    for v in segments.iter().flatten() {
+        is_end[v.index()] = true;
+    }
+    let loose = list.iter().filter(|v| !is_end[v.index()]);
+    loose.map(|v| v.raw()).collect()
+}
