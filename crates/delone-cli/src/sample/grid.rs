@@ -22,7 +22,7 @@ const SEGMENTS: [(i32, [u32; 2], [u32; 2]); 10] = [
     // Diagonals: each runs through six lattice points, and they cross in the middle.
     (THROUGH, [0, 0], [7, 7]),
     (THROUGH, [0, 7], [7, 0]),
-    // A knight's line, which ends inside another segment.
+    // A knight's line, which begins inside the outline.
     (THROUGH, [2, 0], [5, 6]),
     // Nearly along a row: past every lattice point, across every diagonal.
     (ACROSS, [0, 3], [7, 4]),
