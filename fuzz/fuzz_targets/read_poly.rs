@@ -1,8 +1,8 @@
-//! Any bytes, read as `poly`, give points or an error: no panic, no allocation out of proportion.
+//! Any bytes, read as `poly`, give a domain or an error: no panic, no allocation out of proportion.
 #![no_main]
 
-use delone_fuzz::check_points;
+use delone_fuzz::check_domain;
 use delone_io::Format;
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|bytes: &[u8]| check_points(Format::Poly, bytes));
+fuzz_target!(|bytes: &[u8]| check_domain(Format::Poly, bytes));

@@ -1,6 +1,8 @@
 //! What the readers' targets share: any bytes give a result or an error, and nothing else.
 
-use delone_io::{Format, MeshData, PointSet, ReadOptions, Source, read_mesh, read_points};
+use delone_io::{
+    Format, MeshData, PointSet, ReadOptions, Source, read_domain, read_mesh, read_points,
+};
 
 /// Reads bytes as points; checks that they are finite and that the attributes are as many.
 pub fn check_points(format: Format, bytes: &[u8]) {
@@ -11,6 +13,24 @@ pub fn check_points(format: Format, bytes: &[u8]) {
     {
         assert!(points.iter().all(delone::Point::is_finite));
         assert!(attributes.iter().all(|a| a.values.len() == points.len()));
+    }
+}
+
+/// Reads bytes as a domain; checks that segments join points, that polygons are ranges of them, and
+/// that every coordinate is finite.
+pub fn check_domain(format: Format, bytes: &[u8]) {
+    let (source, options) = input(format, bytes);
+    if let Ok(domain) = read_domain(&source, &options, &()) {
+        let (n, s) = (domain.vertices.points.len(), domain.segments.len());
+        let ends = domain.segments.as_flattened();
+        assert!(ends.iter().all(|v| v.index() < n));
+        assert!(domain.segment_markers.is_none_or(|m| m.len() == s));
+        let mut polygons = domain.polygons.iter();
+        assert!(polygons.all(|range| range.start < range.end && range.end <= s));
+        let regions = domain.regions.iter().map(|region| region.at);
+        let seeds = domain.holes.iter().copied().chain(regions);
+        let points = domain.vertices.points.iter().copied();
+        assert!(points.chain(seeds).all(|p| p.is_finite()));
     }
 }
 

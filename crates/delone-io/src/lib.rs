@@ -1,23 +1,27 @@
-//! Files: reads point sets and meshes, writes meshes, draws them.
+//! Files: reads point sets, domains and meshes, writes meshes, draws them.
 //!
-//! One file per format, each with the functions it has: `read_points`, `read_mesh`, `write`. A
-//! further format is a further file, a [`Format`] variant, and a line in the dispatch of
-//! [`read_points`], [`read_mesh`] or [`write_mesh`].
+//! One file per format, each with the functions it has: `read_points`, `read_domain`, `read_mesh`,
+//! `write`. A further format is a further file, a [`Format`] variant, and a line in the dispatch of
+//! [`read_points`], [`read_domain`], [`read_mesh`], [`write_mesh`] or [`write_domain`].
 //!
 //! Readers take the whole file into memory (cost proportional to the file, never to a number that
 //! the file declares) and answer malformed input with an [`Error`] that names file and line.
 //! Writers fill temporary files and rename them only when all are complete. Every loop looks at the
 //! caller's [`Watch`](delone::Watch), some hundred times a second or more.
 //!
-//! | format | points | mesh | write |
-//! |---|---|---|---|
-//! | `.node`, `.ele` (Triangle) | read | read | both |
-//! | `.edge`, `.neigh` (Triangle) | | | mesh |
-//! | `.poly` (Triangle) | read, without segments | | as `.node` with its family |
-//! | `.npy` (NumPy) | read | read, with `.points.npy` | both |
-//! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | | points |
-//! | `.vtu` (VTK, ParaView) | read | read | both |
-//! | `.svg`, `.png` | | | both |
+//! | format | points | domain | mesh | write |
+//! |---|---|---|---|---|
+//! | `.node`, `.ele` (Triangle) | read | points | read, with `.poly` | both |
+//! | `.edge`, `.neigh` (Triangle) | | | | mesh |
+//! | `.poly` (Triangle) | read | read | beside `.ele` | domain; mesh with its family |
+//! | `.geojson` (RFC 7946) | read | read | | domain, mesh |
+//! | `.wkt` (well-known text) | read | read | | |
+//! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both |
+//! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | points | | points |
+//! | `.vtu` (VTK, ParaView) | read | points | read | both |
+//! | `.svg`, `.png` | | | | all |
+//!
+//! Points become a mesh:
 //!
 //! ```
 //! use delone_io::{MeshView, ReadOptions, Source, Target, WriteOptions};
@@ -34,6 +38,29 @@
 //! let targets = ["survey.ele", "survey.png"].map(|name| Target::from_arg(name, None));
 //! let written = delone_io::write_mesh(&targets, &mesh, &WriteOptions::default(), &())?;
 //! assert_eq!(written.len(), 5); // survey.node, .ele, .edge, .neigh and .png
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! So do domains, whose markers and attributes the mesh [inherits](Inherited):
+//!
+//! ```
+//! use delone::ConstrainedDelaunay;
+//! use delone_io::{Inherited, MeshView, ReadOptions, Source, Target, WriteOptions};
+//!
+//! # let folder = tempfile::tempdir()?;
+//! # let place = |name: &str| folder.path().join(name);
+//! # std::fs::write(place("pond.wkt"), "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 6 3, 3 6, 3 3))")?;
+//! let source = Source::from_arg(place("pond.wkt"));
+//! let mut domain = delone_io::read_domain(&source, &ReadOptions::default(), &())?;
+//! let rule = domain.usual_rule;
+//!
+//! let graph = domain.take_pslg();
+//! let result = ConstrainedDelaunay::new().domain(rule).triangulate(graph)?;
+//! let inherited = Inherited::new(&result, domain, &())?;
+//! let mesh = MeshView::constrained(&result, &inherited);
+//! let target = Target::from_arg(place("triangles.ele"), None);
+//! let written = delone_io::write_mesh(&[target], &mesh, &WriteOptions::default(), &())?;
+//! assert_eq!(written.len(), 5); // triangles.node, .ele, .edge, .neigh and .poly
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -4,16 +4,17 @@
 //! dots drawn over them by `tiny-skia`, all anti-aliased.
 
 use crate::picture::accumulate::Accumulator;
+use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke as GlyphStroke;
 use crate::picture::legend::Legend;
-use crate::picture::{CLASSES, Color, EdgeClass, INK, Scene, scale};
+use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
 use crate::target::Output;
 use crate::{Error, MeshView, PictureOptions};
 use delone::Watch;
 use std::io::Write;
 use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
-    Stroke, Transform,
+    FillRule, LineCap, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8,
+    Rect, Stroke, Transform,
 };
 
 /// Edges or bare points drawn between two looks at the watch.
@@ -58,13 +59,51 @@ pub(crate) fn encode(page: &Pixmap, scene: &Scene<'_>) -> Result<Vec<u8>, Error>
 /// Draws everything but the legend.
 pub(crate) fn draw(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     let mut page = draw_areas(scene)?;
-    for class in scene.edges()? {
-        draw_edges(&mut page, scene, &class)?;
+    for band in scene.bands()? {
+        draw_band(&mut page, scene, &band)?;
     }
-    if scene.num_triangles() > 0 {
-        draw_dots(&mut page, scene)?;
+    for class in scene.edges()? {
+        draw_edges(&mut page, scene, &class, INK)?;
+    }
+    for (lines, color) in scene.segments()? {
+        draw_edges(&mut page, scene, &lines, color)?;
+    }
+    if !scene.is_bare()
+        && let Some((dots, radius)) = scene.dots()
+    {
+        draw_discs(&mut page, scene, dots, radius, INK)?;
+    }
+    if let Some((places, radius)) = scene.crossings() {
+        let places: Vec<_> = places.collect();
+        draw_discs(&mut page, scene, places.iter().copied(), radius, INK)?;
+        let inner = RING * radius;
+        draw_discs(&mut page, scene, places.into_iter(), inner, PAPER)?;
     }
     Ok(page)
+}
+
+/// Draws the band along the inner side of regions: a line twice as wide, the outer half masked.
+fn draw_band(page: &mut Pixmap, scene: &Scene<'_>, band: &Band) -> Result<(), Error> {
+    scene.check()?;
+    let mut builder = PathBuilder::new();
+    for line in &band.loops {
+        for (i, &[x, y]) in line.iter().enumerate() {
+            match i {
+                0 => builder.move_to(x, y),
+                _ => builder.line_to(x, y),
+            }
+        }
+        builder.close();
+    }
+    let mask = Mask::new(page.width(), page.height());
+    if let (Some(path), Some(mut mask)) = (builder.finish(), mask) {
+        mask.fill_path(&path, FillRule::Winding, true, Transform::identity());
+        scene.check()?;
+        let stroke = round_stroke(2.0 * BAND_WIDTH * scene.unit);
+        let paint = paint(band.color, BAND_OPACITY);
+        page.stroke_path(&path, &paint, &stroke, Transform::identity(), Some(&mask));
+    }
+    Ok(())
 }
 
 /// Draws the triangles, or bare points: few or millions, at the same cost for each.
@@ -74,7 +113,7 @@ fn draw_areas(scene: &Scene<'_>) -> Result<Pixmap, Error> {
         .map(|class| scale((class as f32 + 0.5) / CLASSES as f32))
         .collect();
     scene.each_triangle(|corners, class| areas.add(&corners, colors[class]))?;
-    if scene.num_triangles() == 0
+    if scene.is_bare()
         && let Some((dots, radius)) = scene.dots()
     {
         for (i, dot) in dots.enumerate() {
@@ -107,8 +146,13 @@ fn disc([x, y]: [f32; 2], radius: f32) -> Vec<[f32; 2]> {
     (0..corners).map(corner).collect()
 }
 
-fn draw_edges(page: &mut Pixmap, scene: &Scene<'_>, class: &EdgeClass) -> Result<(), Error> {
-    let paint = paint(INK, class.opacity);
+fn draw_edges(
+    page: &mut Pixmap,
+    scene: &Scene<'_>,
+    class: &EdgeClass,
+    color: Color,
+) -> Result<(), Error> {
+    let paint = paint(color, class.opacity);
     let stroke = round_stroke(class.width);
     for edges in class.edges.chunks(SHAPES_PER_POLL) {
         scene.check()?;
@@ -122,24 +166,26 @@ fn draw_edges(page: &mut Pixmap, scene: &Scene<'_>, class: &EdgeClass) -> Result
     Ok(())
 }
 
-fn draw_dots(page: &mut Pixmap, scene: &Scene<'_>) -> Result<(), Error> {
-    let Some((dots, radius)) = scene.dots() else {
-        return Ok(());
-    };
-    let paint = paint(INK, 1.0);
-    for [x, y] in dots {
+fn draw_discs(
+    page: &mut Pixmap,
+    scene: &Scene<'_>,
+    places: impl Iterator<Item = [f32; 2]>,
+    radius: f32,
+    color: Color,
+) -> Result<(), Error> {
+    for [x, y] in places {
         scene.check()?;
-        if let Some(path) = PathBuilder::from_circle(x, y, radius) {
-            page.fill_path(
-                &path,
-                &paint,
-                FillRule::Winding,
-                Transform::identity(),
-                None,
-            );
-        }
+        draw_disc(page, [x, y], radius, color);
     }
     Ok(())
+}
+
+fn draw_disc(page: &mut Pixmap, [x, y]: [f32; 2], radius: f32, color: Color) {
+    if let Some(path) = PathBuilder::from_circle(x, y, radius) {
+        let paint = paint(color, 1.0);
+        let identity = Transform::identity();
+        page.fill_path(&path, &paint, FillRule::Winding, identity, None);
+    }
 }
 
 fn draw_legend(page: &mut Pixmap, legend: &Legend) {
@@ -148,6 +194,10 @@ fn draw_legend(page: &mut Pixmap, legend: &Legend) {
         if let Some(bar) = Rect::from_xywh(x, y, width, height) {
             page.fill_rect(bar, &paint(color, 1.0), Transform::identity(), None);
         }
+    }
+    if let Some((place, radius)) = legend.ring {
+        draw_disc(page, place, radius, INK);
+        draw_disc(page, place, RING * radius, PAPER);
     }
     let mut path = PathBuilder::new();
     for stroke in &legend.strokes {

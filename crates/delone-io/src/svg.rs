@@ -4,9 +4,10 @@
 //! a pixel: about 20 bytes a triangle. Beyond [`MAX_SHAPES`] triangles no viewer is quick any more,
 //! and the drawing goes in as an embedded image of pixels; the legend stays lines.
 
+use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke;
 use crate::picture::legend::Legend;
-use crate::picture::{CLASSES, EdgeClass, INK, PAPER, Scene, scale};
+use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
 use crate::png;
 use crate::target::Output;
 use crate::{Error, MeshView, PictureOptions};
@@ -33,14 +34,25 @@ pub(crate) fn write(
          <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
         PAPER.hex()
     ))?;
-    if m.max(n) > MAX_SHAPES {
+    if m.max(n).max(scene.num_segments()) > MAX_SHAPES {
         write_image(out, &scene)?;
     } else {
         write_triangles(out, &scene)?;
-        for class in scene.edges()? {
-            write_edges(out, &class)?;
+        for (i, band) in scene.bands()?.iter().enumerate() {
+            write_band(out, &scene, i, band)?;
         }
-        write_dots(out, &scene)?;
+        for class in scene.edges()? {
+            write_edges(out, &class, INK)?;
+        }
+        for (lines, color) in scene.segments()? {
+            write_edges(out, &lines, color)?;
+        }
+        if let Some((dots, radius)) = scene.dots() {
+            write_dots(out, dots, radius, INK)?;
+        }
+        if let Some((places, radius)) = scene.crossings() {
+            write_rings(out, &places.collect::<Vec<_>>(), radius)?;
+        }
     }
     if scene.legend {
         write_legend(out, &Legend::new(&scene))?;
@@ -88,13 +100,13 @@ fn write_triangles(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error>
     out.text(format_args!("</g>\n"))
 }
 
-fn write_edges(out: &mut Output<'_>, class: &EdgeClass) -> Result<(), Error> {
+fn write_edges(out: &mut Output<'_>, class: &EdgeClass, color: Color) -> Result<(), Error> {
     if class.edges.is_empty() {
         return Ok(());
     }
     out.text(format_args!(
         "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-opacity=\"{:.2}\" stroke-linecap=\"round\" d=\"",
-        INK.hex(),
+        color.hex(),
         class.width,
         class.opacity
     ))?;
@@ -108,14 +120,43 @@ fn write_edges(out: &mut Output<'_>, class: &EdgeClass) -> Result<(), Error> {
     out.text(format_args!("\"/>\n"))
 }
 
+/// Writes the band along the inner side of regions: a line twice as wide, the outer half clipped.
+fn write_band(
+    out: &mut Output<'_>,
+    scene: &Scene<'_>,
+    number: usize,
+    band: &Band,
+) -> Result<(), Error> {
+    out.text(format_args!(
+        "<clipPath id=\"clip{number}\"><path id=\"border{number}\" d=\""
+    ))?;
+    let mut path = String::new();
+    for line in &band.loops {
+        path.clear();
+        push_move(&mut path, line[0]);
+        line.windows(2)
+            .for_each(|w| push_line(&mut path, w[0], w[1]));
+        path.push('z');
+        out.bytes(path.as_bytes())?;
+    }
+    out.text(format_args!(
+        "\"/></clipPath>\n\
+         <use href=\"#border{number}\" clip-path=\"url(#clip{number})\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-opacity=\"{BAND_OPACITY}\" stroke-linejoin=\"round\"/>\n",
+        band.color.hex(),
+        2.0 * BAND_WIDTH * scene.unit
+    ))
+}
+
 /// A dot is a line without length and with a round cap: the shortest way to write many.
-fn write_dots(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
-    let Some((dots, radius)) = scene.dots() else {
-        return Ok(());
-    };
+fn write_dots(
+    out: &mut Output<'_>,
+    dots: impl Iterator<Item = [f32; 2]>,
+    radius: f32,
+    color: Color,
+) -> Result<(), Error> {
     out.text(format_args!(
         "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" d=\"",
-        INK.hex(),
+        color.hex(),
         2.0 * radius
     ))?;
     let mut path = String::new();
@@ -128,6 +169,11 @@ fn write_dots(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
     out.text(format_args!("\"/>\n"))
 }
 
+fn write_rings(out: &mut Output<'_>, places: &[[f32; 2]], radius: f32) -> Result<(), Error> {
+    write_dots(out, places.iter().copied(), radius, INK)?;
+    write_dots(out, places.iter().copied(), RING * radius, PAPER)
+}
+
 fn write_legend(out: &mut Output<'_>, legend: &Legend) -> Result<(), Error> {
     out.text(format_args!("<g shape-rendering=\"crispEdges\">\n"))?;
     for ([x, y], [width, height], color) in &legend.bars {
@@ -136,8 +182,12 @@ fn write_legend(out: &mut Output<'_>, legend: &Legend) -> Result<(), Error> {
             color.hex()
         ))?;
     }
+    out.text(format_args!("</g>\n"))?;
+    if let Some((place, radius)) = legend.ring {
+        write_rings(out, &[place], radius)?;
+    }
     out.text(format_args!(
-        "</g>\n<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"",
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"",
         INK.hex(),
         legend.stroke_width
     ))?;

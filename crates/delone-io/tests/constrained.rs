@@ -309,7 +309,7 @@ fn formats_that_cannot_hold_segments_say_so() {
     let bare = DomainData::from(square().vertices);
     assert!(write("a.csv", &bare).is_ok());
     let torn = DomainData {
-        polygons: vec![0..3],
+        polygons: std::iter::once(0..3).collect(),
         holes: vec![],
         regions: vec![],
         ..square()

@@ -1,7 +1,10 @@
 //! Pictures: any mesh gives one, of the right size, and cancelling leaves nothing.
 
-use delone::{Point, triangulate};
-use delone_io::{Error, Format, MeshView, PictureOptions, Target, WriteOptions, write_mesh};
+use delone::{DomainRule, Point, Pslg, Region, VertexId, triangulate};
+use delone_io::{
+    Constraints, DomainData, Error, Format, MeshView, PictureOptions, Target, WriteOptions,
+    write_domain, write_mesh,
+};
 use std::path::Path;
 
 fn options(size: u32) -> WriteOptions {
@@ -103,4 +106,108 @@ fn sizes_out_of_range_are_refused() {
     let outcome = write_mesh(&[target], &MeshView::from(&t), &options(1 << 20), &());
     assert!(matches!(outcome, Err(Error::Picture { .. })), "{outcome:?}");
     assert_eq!(std::fs::read_dir(folder.path()).expect("folder").count(), 0);
+}
+
+/// Two triangles in regions of their own, a hole beside them and a line beyond it.
+fn regions() -> (Vec<Point>, Vec<[VertexId; 3]>, Constraints) {
+    let points = [
+        (0.0, 0.0),
+        (4.0, 0.0),
+        (4.0, 4.0),
+        (0.0, 4.0),
+        (8.0, 0.0),
+        (8.0, 4.0),
+    ];
+    let triangles = [[0, 1, 2], [0, 2, 3]].map(|t| t.map(VertexId::new));
+    let region = |at| Region {
+        at: Point::from(at),
+        attribute: 1e9,
+        max_area: None,
+    };
+    let constraints = Constraints {
+        edges: [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [4, 5]]
+            .map(|e| e.map(VertexId::new))
+            .to_vec(),
+        regions: vec![region((3.0, 1.0)), region((1.0, 3.0))],
+        region_of: Some(vec![Some(0), Some(1)]),
+        num_crossings: 1,
+        ..Constraints::default()
+    };
+    (
+        points.map(Point::from).to_vec(),
+        triangles.to_vec(),
+        constraints,
+    )
+}
+
+#[test]
+fn regions_have_bands_and_holes_stay_paper() {
+    let (points, triangles, constraints) = regions();
+    let mesh = MeshView::new(&points, &triangles).with_constraints(&constraints);
+    let folder = tempfile::tempdir().expect("folder");
+    let files = ["a.png", "a.svg"].map(|name| folder.path().join(name));
+    let targets = files.clone().map(|file| Target::from_arg(file, None));
+    let options = WriteOptions {
+        picture: PictureOptions {
+            size: 800,
+            legend: false,
+        },
+        ..WriteOptions::default()
+    };
+    write_mesh(&targets, &mesh, &options, &()).expect("pictures");
+    let ([width, _], pixels) = decode(&std::fs::read(&files[0]).expect("written"));
+    // The drawing is 8 wide and 4 high, within a margin of 28 pixels.
+    let per_unit = f64::from(width - 56) / 8.0;
+    let at = |x: f64, y: f64| {
+        let [x, y] = [x, 4.0 - y].map(|v| (28.0 + v * per_unit) as u32);
+        pixels[(y * width + x) as usize]
+    };
+    let inside = 5.0 / per_unit;
+    let [r, g, b] = at(2.0, inside);
+    assert!(r > g && r > b, "the first region is red at its border");
+    let [r, g, b] = at(2.0, 4.0 - inside);
+    assert!(b > r && g > r, "the second region is blue at its border");
+    assert_eq!(at(2.0, 1.0), at(1.0, 2.0), "within, angles alone count");
+    assert_eq!(at(6.0, 2.0), [255; 3], "the hole");
+    let [r, g, b] = at(8.0, 2.0);
+    assert!(r < 40 && g < 40 && b < 50, "the line beyond");
+    let svg = std::fs::read_to_string(&files[1]).expect("written");
+    assert_eq!(svg.matches("<clipPath").count(), 2, "{svg}");
+}
+
+#[test]
+fn the_legend_names_regions_by_their_attributes() {
+    let (points, triangles, constraints) = regions();
+    let folder = tempfile::tempdir().expect("folder");
+    let draw = |mesh: &MeshView<'_>| {
+        let file = folder.path().join("a.svg");
+        let target = Target::from_arg(&file, None);
+        write_mesh(&[target], mesh, &options(400), &()).expect("a picture");
+        std::fs::read_to_string(file).expect("written")
+    };
+    let bare = draw(&MeshView::new(&points, &triangles));
+    let full = draw(&MeshView::new(&points, &triangles).with_constraints(&constraints));
+    let rectangles = |svg: &str| svg.matches("<rect").count();
+    assert_eq!(
+        rectangles(&full),
+        rectangles(&bare) + 3,
+        "a line, two areas"
+    );
+    assert!(!full.contains("NaN"), "{full}");
+}
+
+#[test]
+fn a_domain_can_be_drawn_before_it_has_triangles() {
+    let mut pslg = Pslg::from_points([(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]);
+    pslg.add_ring([0u32, 1, 2]);
+    let domain = DomainData::from(pslg);
+    assert_eq!(domain.usual_rule, DomainRule::Carve);
+    let folder = tempfile::tempdir().expect("folder");
+    let files = ["a.png", "a.svg"].map(|name| folder.path().join(name));
+    let targets = files.clone().map(|file| Target::from_arg(file, None));
+    write_domain(&targets, &domain, &options(200), &()).expect("pictures");
+    let (_, pixels) = decode(&std::fs::read(&files[0]).expect("written"));
+    assert!(pixels.iter().any(|&p| p != [255; 3]));
+    let svg = std::fs::read_to_string(&files[1]).expect("written");
+    assert!(svg.contains("stroke-width"), "{svg}");
 }

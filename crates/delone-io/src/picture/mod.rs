@@ -2,11 +2,13 @@
 //!
 //! Triangles are coloured by their smallest angle. Edges are drawn thinner and fainter the shorter
 //! they are, and not at all below a few pixels, so that a million triangles show as a map of their
-//! quality; points are dots as long as there is room between them. y points up.
+//! quality; points are dots as long as there is room between them. y points up. What a domain adds is
+//! in [`domain`].
 
 pub(crate) mod accumulate;
 mod angle;
 mod color;
+pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
 mod view;
@@ -120,6 +122,11 @@ impl<'a> Scene<'a> {
         self.check()
     }
 
+    /// Fails if cancelled; asks in one of many rounds.
+    fn check_now_and_then(&self, round: usize) -> Result<(), Error> {
+        cancel::check(self.watch, round)
+    }
+
     /// Fails if cancelled.
     pub fn check(&self) -> Result<(), Error> {
         cancel::check(self.watch, 0)
@@ -128,6 +135,11 @@ impl<'a> Scene<'a> {
     /// Returns where a vertex lies on the page.
     fn place(&self, v: VertexId) -> [f32; 2] {
         self.view.place(self.mesh.points[v.index()])
+    }
+
+    /// Tells whether there are points and nothing else.
+    pub fn is_bare(&self) -> bool {
+        self.num_triangles() == 0 && self.num_segments() == 0
     }
 
     pub fn num_triangles(&self) -> usize {
@@ -219,7 +231,7 @@ impl<'a> Scene<'a> {
     pub fn dots(&self) -> Option<(impl Iterator<Item = [f32; 2]> + '_, f32)> {
         let n = self.mesh.points.len().max(1) as f32;
         let spacing = (self.view.area() / n).sqrt() / self.unit;
-        let bare = self.num_triangles() == 0;
+        let bare = self.is_bare();
         let radius =
             (spacing * if bare { 0.3 } else { 0.07 }).clamp(if bare { 0.6 } else { 0.0 }, 4.5);
         let fits = bare || radius >= 1.3;
