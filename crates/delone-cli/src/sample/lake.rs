@@ -22,6 +22,7 @@ const RIVER: i32 = 6;
 /// The attributes of the regions.
 const SHALLOW: f64 = 1.0;
 const DEEP: f64 = 2.0;
+const POND_WATER: f64 = 3.0;
 
 /// Pieces of shore are at most this long, in kilometres.
 const STEP: f64 = 0.22;
@@ -136,7 +137,7 @@ pub(super) fn draw() -> Sheet {
     lake.holes.extend(LAND);
     let places = [[13.0, 5.5], [6.5, 4.5], [10.7, 4.7]];
     lake.regions
-        .extend(places.into_iter().zip([SHALLOW, DEEP, SHALLOW]));
+        .extend(places.into_iter().zip([SHALLOW, DEEP, POND_WATER]));
     lake
 }
 
