@@ -71,6 +71,7 @@ mod hash;
 pub mod locate;
 mod memory;
 pub mod mesh;
+mod pace;
 mod parallel;
 mod point;
 pub mod predicates;

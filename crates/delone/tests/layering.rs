@@ -16,6 +16,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("watch", &["error"]),
     ("memory", &[]),
     ("parallel", &["error"]),
+    ("pace", &["error", "watch"]),
     ("hash", &["point"]),
     // Geometry knows no topology: no ids here.
     ("predicates", &["point"]),
@@ -61,6 +62,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "watch",
             "memory",
             "parallel",
+            "pace",
         ],
     ),
     // The verifier trusts no builder: of the mesh it has the ids, and nothing that holds twins.
@@ -78,6 +80,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "mesh::VertexId",
             "mesh::HalfEdgeId",
             "mesh::TriangleId",
+            "pace",
         ],
     ),
 ];

@@ -3,7 +3,8 @@
 //! Half-edges are sorted by their two ends in two passes of a counting sort, so those of one edge
 //! become neighbours: linear whatever the degrees, and no hash table.
 
-use super::{Corner, Defect, Defects, pace::Pace};
+use super::{Corner, Defect, Defects};
+use crate::pace::Pace;
 use crate::{Error, HalfEdgeId, Point, VertexId};
 
 /// Steps that [`Adjacency::find`] takes for a triangle: three half-edges, each counted and moved

@@ -1,6 +1,7 @@
 //! Is the boundary a convex polygon that is run through once?
 
-use super::{Corner, Defect, Defects, adjacency::Adjacency, pace::Pace};
+use super::{Corner, Defect, Defects, adjacency::Adjacency};
+use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
 use crate::{Error, HalfEdgeId, Point, VertexId};
 

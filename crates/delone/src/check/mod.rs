@@ -38,7 +38,6 @@ mod boundary;
 mod certificate;
 mod defect;
 mod domain;
-mod pace;
 mod positions;
 mod quality;
 mod stars;
@@ -48,12 +47,12 @@ pub use defect::{Corner, Defect, Defects};
 pub use domain::{DomainMesh, verify_domain};
 pub use quality::{Quality, Shape, quality};
 
+use crate::pace::Pace;
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
 use crate::{
-    Error, HalfEdgeId, Point, TriangleId, TriangulationHash, VertexId, Watch, hash_triangles,
+    Error, HalfEdgeId, Phase, Point, TriangleId, TriangulationHash, VertexId, Watch, hash_triangles,
 };
 use adjacency::Adjacency;
-use pace::Pace;
 
 /// Most triangles whose half-edges 32-bit ids can number.
 const MOST_TRIANGLES: usize = u32::MAX as usize / 3;
@@ -84,7 +83,7 @@ pub fn verify(
     triangles: &[[VertexId; 3]],
     watch: &dyn Watch,
 ) -> Result<Verdict, Error> {
-    let mut pace = Pace::new(watch, work(points, triangles));
+    let mut pace = Pace::new(watch, Phase::Check, work(points, triangles));
     require_points(points, &mut pace)?;
     let verifier = Verifier {
         points,

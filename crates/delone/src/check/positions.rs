@@ -1,6 +1,6 @@
 //! Questions about points alone: which are equal, which are missing, do all lie on one line?
 
-use super::pace::Pace;
+use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
 use crate::{Error, Point, VertexId};
 use std::collections::{HashMap, HashSet};

@@ -2,7 +2,8 @@
 //!
 //! The proof does not need it, but a vertex where two parts touch explains other defects.
 
-use super::{Corner, Defect, Defects, adjacency::Adjacency, pace::Pace};
+use super::{Corner, Defect, Defects, adjacency::Adjacency};
+use crate::pace::Pace;
 use crate::{Error, HalfEdgeId, Point, VertexId};
 
 /// Reports the vertices whose triangles fall into several parts.

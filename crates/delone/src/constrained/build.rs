@@ -25,7 +25,8 @@ pub(super) fn build(
     if options.domain == DomainRule::EvenOdd {
         input::require_closed(&pslg)?;
     }
-    let edges = names.edges(pslg.segments.iter().copied());
+    let edges = names.edges(pslg.segments.iter().copied(), workers, watch);
+    let edges = edges.ok_or(Error::Cancelled)?;
     let (chains, crossings) = match insert_all(&mut draft, &edges, workers, watch) {
         Outcome::Cancelled => return Err(Error::Cancelled),
         Outcome::Done(cuts) => (names.chains_of_cuts(&pslg.segments, cuts), Vec::new()),
@@ -136,7 +137,8 @@ fn insert_noded(
     let edges = all
         .flat_map(|segment| chain(segment).windows(2))
         .map(|pair| [pair[0], pair[1]]);
-    match insert_all(draft, &names.edges(edges), workers, watch) {
+    let edges = names.edges(edges, workers, watch).ok_or(Error::Cancelled)?;
+    match insert_all(draft, &edges, workers, watch) {
         Outcome::Done(cuts) if cuts.is_empty() => Ok(()),
         Outcome::Cancelled => Err(Error::Cancelled),
         Outcome::Done(_) | Outcome::Blocked => {

@@ -13,8 +13,9 @@ use super::draft::Draft;
 use super::names::Names;
 use super::side::{Beyond, Side};
 use crate::delaunay::Curve;
+use crate::pace::Pace;
 use crate::parallel::Workers;
-use crate::{HalfEdgeId, TriangleId, VertexId};
+use crate::{HalfEdgeId, Phase, TriangleId, VertexId};
 
 /// Fills a side with triangles, in the next of `faces`, and returns the half-edge of the segment in
 /// them, whose twin is still to be bonded. The rim begins at vertex `start`.
@@ -111,13 +112,15 @@ impl Model {
     fn interior(&self) -> Vec<TriangleId> {
         let mut seen = vec![false; self.draft.mesh.num_faces()];
         let mut list = Vec::new();
-        flood(&self.draft, self.base().triangle(), |t| {
+        let mut unwatched = Pace::new(&(), Phase::Carve, 0);
+        let flooded = flood(&self.draft, self.base().triangle(), &mut unwatched, |t| {
             let is_new = !std::mem::replace(&mut seen[t.index()], true);
             if is_new {
                 list.push(t);
             }
             is_new
         });
+        flooded.expect("bug: nobody cancels");
         list
     }
 

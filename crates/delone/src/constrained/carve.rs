@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::seeds::{Locator, Place};
 use super::segments::Segments;
 use super::{Warning, polygons};
+use crate::pace::Pace;
 use crate::{DomainRule, Error, Phase, Point, Region, Seed, TriangleId, Watch};
 
 /// What the floods found out about each face.
@@ -25,21 +26,19 @@ pub(super) fn carve(
     seeds: (&[Point], &[Region]),
     watch: &dyn Watch,
 ) -> Result<Carving, Error> {
-    watch.progress(Phase::Carve, 0, 2);
+    let mut pace = Pace::new(watch, Phase::Carve, draft.mesh.num_faces() as u64);
     let mut outside = match rule {
         DomainRule::Hull => ghosts(draft),
-        DomainRule::Carve => reach_from_outside(draft),
-        DomainRule::EvenOdd if segments.are_taken_together() => odd_depth(draft),
-        DomainRule::EvenOdd => polygons::outside_union(draft, segments),
+        DomainRule::Carve => reach_from_outside(draft, &mut pace)?,
+        DomainRule::EvenOdd if segments.are_taken_together() => odd_depth(draft, &mut pace)?,
+        DomainRule::EvenOdd => polygons::outside_union(draft, segments, &mut pace)?,
     };
-    require_patience(watch)?;
-    watch.progress(Phase::Carve, 1, 2);
     let mut warnings = Vec::new();
-    let places = Places {
+    let mut places = Places {
         draft,
         locator: Locator::new(draft),
         segments,
-        watch,
+        pace,
     };
     places.carve_holes(rule, seeds.0, &mut outside, &mut warnings)?;
     let is_empty = !outside.contains(&false);
@@ -47,19 +46,12 @@ pub(super) fn carve(
         warnings.push(Warning::Empty);
     }
     let region_of = places.find_regions(seeds.1, &outside, &mut warnings)?;
-    watch.progress(Phase::Carve, 2, 2);
+    places.pace.finish();
     Ok(Carving {
         outside,
         region_of,
         warnings,
     })
-}
-
-fn require_patience(watch: &dyn Watch) -> Result<(), Error> {
-    if watch.is_cancelled() {
-        return Err(Error::Cancelled);
-    }
-    Ok(())
 }
 
 fn ghosts(draft: &Draft) -> Vec<bool> {
@@ -71,19 +63,19 @@ fn ghosts(draft: &Draft) -> Vec<bool> {
 }
 
 /// Marks what can be reached from outside without crossing a segment.
-fn reach_from_outside(draft: &Draft) -> Vec<bool> {
+fn reach_from_outside(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error> {
     let mut reached = vec![false; draft.mesh.num_faces()];
     for ghost in draft.mesh.ghosts() {
-        flood(draft, ghost, |t| {
+        flood(draft, ghost, pace, |t| {
             !std::mem::replace(&mut reached[t.index()], true)
-        });
+        })?;
     }
-    reached
+    Ok(reached)
 }
 
 /// Marks the faces from which the outside is an even number of segments away, on the shortest way: a
 /// breadth-first search by levels.
-fn odd_depth(draft: &Draft) -> Vec<bool> {
+fn odd_depth(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error> {
     let faces = draft.mesh.num_faces();
     let mut seen = vec![false; faces];
     let mut outside = vec![false; faces];
@@ -95,6 +87,7 @@ fn odd_depth(draft: &Draft) -> Vec<bool> {
                 stack.push(start);
             }
             while let Some(t) = stack.pop() {
+                pace.step()?;
                 outside[t.index()] = is_even;
                 for h in t.half_edges() {
                     let neighbor = draft.mesh.twin(h).triangle();
@@ -113,16 +106,22 @@ fn odd_depth(draft: &Draft) -> Vec<bool> {
         std::mem::swap(&mut level, &mut next);
         is_even = !is_even;
     }
-    outside
+    Ok(outside)
 }
 
 /// Visits the faces that no segment separates from `start`; `enter` says whether a face is new.
-pub(super) fn flood(draft: &Draft, start: TriangleId, mut enter: impl FnMut(TriangleId) -> bool) {
+pub(super) fn flood(
+    draft: &Draft,
+    start: TriangleId,
+    pace: &mut Pace,
+    mut enter: impl FnMut(TriangleId) -> bool,
+) -> Result<(), Error> {
     let mut stack = Vec::new();
     if enter(start) {
         stack.push(start);
     }
     while let Some(t) = stack.pop() {
+        pace.step()?;
         for h in t.half_edges() {
             let neighbor = draft.mesh.twin(h).triangle();
             if !draft.marks.is_constrained(h) && enter(neighbor) {
@@ -130,6 +129,7 @@ pub(super) fn flood(draft: &Draft, start: TriangleId, mut enter: impl FnMut(Tria
             }
         }
     }
+    Ok(())
 }
 
 /// Finds the places of seeds, and refuses those on segments.
@@ -137,12 +137,12 @@ struct Places<'a> {
     draft: &'a Draft,
     locator: Locator<'a>,
     segments: &'a Segments<'a>,
-    watch: &'a dyn Watch,
+    pace: Pace<'a>,
 }
 
 impl Places<'_> {
-    fn triangle_of(&self, seed: Seed, at: Point) -> Result<Option<TriangleId>, Error> {
-        require_patience(self.watch)?;
+    fn triangle_of(&mut self, seed: Seed, at: Point) -> Result<Option<TriangleId>, Error> {
+        self.pace.step()?;
         match self.locator.place(at) {
             Place::In(t) => Ok(Some(t)),
             Place::On(h) => Err(Error::SeedOnSegment {
@@ -155,7 +155,7 @@ impl Places<'_> {
     }
 
     fn carve_holes(
-        &self,
+        &mut self,
         rule: DomainRule,
         holes: &[Point],
         outside: &mut [bool],
@@ -177,16 +177,16 @@ impl Places<'_> {
                 warnings.push(Warning::HoleOutside { hole, at });
             } else if let Some(t) = triangle {
                 // Ghosts count as outside, so no flood leaves the hull.
-                flood(self.draft, t, |t| {
+                flood(self.draft, t, &mut self.pace, |t| {
                     !std::mem::replace(&mut outside[t.index()], true)
-                });
+                })?;
             }
         }
         Ok(())
     }
 
     fn find_regions(
-        &self,
+        &mut self,
         regions: &[Region],
         outside: &[bool],
         warnings: &mut Vec<Warning>,
@@ -203,14 +203,14 @@ impl Places<'_> {
                     region,
                     first: region_of[t.index()] as usize - 1,
                 }),
-                Some(t) => flood(self.draft, t, |t| {
+                Some(t) => flood(self.draft, t, &mut self.pace, |t| {
                     let of = &mut region_of[t.index()];
                     let is_new = *of == 0 && !outside[t.index()];
                     if is_new {
                         *of = region as u32 + 1;
                     }
                     is_new
-                }),
+                })?,
             }
         }
         Ok(region_of)

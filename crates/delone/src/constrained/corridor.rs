@@ -45,6 +45,8 @@ pub(super) struct Inserter {
     left: Side,
     right: Side,
     suspects: Vec<HalfEdgeId>,
+    /// Segments inserted and faces rebuilt since somebody asked.
+    work: usize,
     /// How many bulk triangulations this one is part of.
     depth: u32,
 }
@@ -58,6 +60,15 @@ impl Inserter {
         }
     }
 
+    /// Tells whether at least `amount` of work has been done since it last said so.
+    pub fn take_work(&mut self, amount: usize) -> bool {
+        let is_due = self.work >= amount;
+        if is_due {
+            self.work = 0;
+        }
+        is_due
+    }
+
     /// Inserts the segment from `a` to `b`, which differ, and adds the vertices that it runs through to
     /// `through`. When it is blocked, part of it may be in.
     ///
@@ -69,6 +80,7 @@ impl Inserter {
         [a, b]: [VertexId; 2],
         through: &mut Vec<VertexId>,
     ) -> Result<(), Blocked> {
+        self.work += 1;
         let mut later = Vec::new();
         let [mut first, mut last] = [a, b];
         loop {
@@ -125,6 +137,7 @@ impl Inserter {
         if !self.fill(draft, a, end) {
             self.fill_in_bulk(draft, a, end);
         }
+        self.work += self.faces.len();
         for &face in &self.faces {
             draft.marks.leave_corridor(face);
         }

@@ -6,8 +6,8 @@ use super::draft::Draft;
 use crate::parallel::Workers;
 use crate::{HalfEdgeId, Phase, VertexId, Watch};
 
-/// Segments between two looks at the watch.
-const BLOCK: usize = 1 << 12;
+/// Faces rebuilt between two looks at the watch.
+const WORK: usize = 1 << 14;
 
 /// What came of inserting segments.
 pub(super) enum Outcome {
@@ -30,7 +30,7 @@ pub(super) struct Cut {
 }
 
 /// Inserts segments, each as its two different ends in the numbering of `draft`, the lower number
-/// first and sorted.
+/// first, best in the order of the curve.
 ///
 /// *Cost*: for a segment that is an edge the degree of a vertex, for others in practice a few tests
 /// for each edge crossed.
@@ -55,19 +55,19 @@ pub(super) fn insert_all(
     let present = total - missing.len() as u64;
     let mut inserter = Inserter::default();
     let (mut cuts, mut inner) = (Vec::new(), Vec::new());
-    for (block, done) in missing.chunks(BLOCK).zip((present..).step_by(BLOCK)) {
-        if watch.is_cancelled() {
-            return Outcome::Cancelled;
-        }
-        watch.progress(Phase::Constrain, done, total);
-        for &ends in block {
-            let Ok(()) = inserter.insert(draft, ends, &mut inner) else {
-                return Outcome::Blocked;
-            };
-            if !inner.is_empty() {
-                let inner = std::mem::take(&mut inner);
-                cuts.push(Cut { ends, inner });
+    for (&ends, done) in missing.iter().zip(present..) {
+        if inserter.take_work(WORK) {
+            if watch.is_cancelled() {
+                return Outcome::Cancelled;
             }
+            watch.progress(Phase::Constrain, done, total);
+        }
+        let Ok(()) = inserter.insert(draft, ends, &mut inner) else {
+            return Outcome::Blocked;
+        };
+        if !inner.is_empty() {
+            let inner = std::mem::take(&mut inner);
+            cuts.push(Cut { ends, inner });
         }
     }
     watch.progress(Phase::Constrain, total, total);

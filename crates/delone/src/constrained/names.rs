@@ -2,9 +2,10 @@
 
 use super::insert::Cut;
 use super::segments::undirected;
-use crate::delaunay::{CurveParts, duplicates};
+use crate::delaunay::{CurveParts, duplicates, sort_by_high_half};
+use crate::parallel::Workers;
 use crate::pslg::Chains;
-use crate::{Duplicate, VertexId};
+use crate::{Duplicate, VertexId, Watch};
 
 /// Who is who.
 #[derive(Default)]
@@ -45,17 +46,23 @@ impl Names {
         self.callers[self.positions[v.index()].index()]
     }
 
-    /// Turns edges of the caller into edges of the draft, the lower number first, sorted; those of no
-    /// length are left out.
-    pub fn edges(&self, edges: impl Iterator<Item = [VertexId; 2]>) -> Vec<[VertexId; 2]> {
+    /// Turns edges of the caller into edges of the draft, the lower number first, in the order of the
+    /// curve; those of no length are left out. `None` if the watch cancelled.
+    pub fn edges(
+        &self,
+        edges: impl Iterator<Item = [VertexId; 2]>,
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Option<Vec<[VertexId; 2]>> {
         let keys = edges.map(|edge| {
             let [a, b] = undirected(edge.map(|v| self.positions[v.index()]));
             u64::from(a.raw()) << 32 | u64::from(b.raw())
         });
-        let mut keys: Vec<u64> = keys.filter(|&key| key >> 32 != key & 0xffff_ffff).collect();
-        keys.sort_unstable();
+        let keys = keys.filter(|&key| key >> 32 != key & 0xffff_ffff).collect();
+        let bits = usize::BITS - self.positions.len().leading_zeros();
+        let sorted = sort_by_high_half(keys, bits, workers, watch)?;
         let ends = |key: u64| [(key >> 32) as u32, key as u32].map(VertexId::from);
-        keys.into_iter().map(ends).collect()
+        Some(sorted.into_iter().map(ends).collect())
     }
 
     /// Lists the vertices in the caller's numbering, ascending.

@@ -7,21 +7,23 @@
 
 use super::draft::Draft;
 use super::segments::{Segments, undirected};
-use crate::{HalfEdgeId, VertexId};
+use crate::pace::Pace;
+use crate::{Error, HalfEdgeId, VertexId};
 
 /// Marks the faces outside of all polygons.
-pub(super) fn outside_union(draft: &Draft, segments: &Segments) -> Vec<bool> {
+pub(super) fn outside_union(
+    draft: &Draft,
+    segments: &Segments,
+    pace: &mut Pace,
+) -> Result<Vec<bool>, Error> {
     if draft.mesh.num_faces() == 0 {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let borders = Borders::of(segments);
-    let components = Components::find(draft, &borders);
+    let components = Components::find(draft, &borders, pace)?;
     let outside = components.outside_of(&borders, segments.polygons.len());
-    components
-        .of_face
-        .iter()
-        .map(|&c| outside[c as usize])
-        .collect()
+    let faces = components.of_face.iter();
+    Ok(faces.map(|&c| outside[c as usize]).collect())
 }
 
 /// The edges that some polygon counts an odd number of times, sorted, with those polygons.
@@ -75,7 +77,7 @@ struct Components {
 }
 
 impl Components {
-    fn find(draft: &Draft, borders: &Borders) -> Self {
+    fn find(draft: &Draft, borders: &Borders, pace: &mut Pace) -> Result<Self, Error> {
         const NONE: u32 = u32::MAX;
         let mesh = &draft.mesh;
         let mut of_face = vec![NONE; mesh.num_faces()];
@@ -89,6 +91,7 @@ impl Components {
             of_face[start.index()] = number;
             stack.push(start);
             while let Some(t) = stack.pop() {
+                pace.step()?;
                 for h in t.half_edges() {
                     let entries = borders.of_edge(draft, h);
                     let neighbor = mesh.twin(h).triangle();
@@ -111,11 +114,11 @@ impl Components {
         });
         let mut gates: Vec<_> = gates.collect();
         gates.sort_unstable();
-        Self {
+        Ok(Self {
             of_face,
             gates,
             number: number as usize,
-        }
+        })
     }
 
     /// Tells of each component whether it lies outside of all polygons.

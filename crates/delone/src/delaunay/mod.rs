@@ -28,6 +28,7 @@ mod signs;
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
+pub(crate) use order::sort_by_high_half;
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 

@@ -97,6 +97,27 @@ fn fill(
     counts
 }
 
+/// Sorts by the low `bits` of the high halves, equal ones in their order. `None` if the watch
+/// cancelled.
+///
+/// *Cost*: O(n), in as many passes as the bits ask for; 8 bytes an element.
+pub(crate) fn sort_by_high_half(
+    mut keys: Vec<u64>,
+    bits: u32,
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Option<Vec<u64>> {
+    if keys.len() <= FEW {
+        keys.sort_by_key(|key| key >> 32);
+        return Some(keys);
+    }
+    let radix = Radix::of_bits(bits.max(1));
+    let digit = radix.digit_at(0);
+    let chunk = workers.chunk_len(keys.len(), 1);
+    let counts = workers.map(keys.chunks(chunk).collect(), |keys| digit.counts(keys));
+    radix_sort(keys, radix, counts, workers, watch)
+}
+
 /// Sorts by the low bits of the high halves, stably, and leaves room for one more. `counts` holds, a
 /// chunk each, how often each value of the first digit occurs.
 fn radix_sort(
@@ -112,11 +133,7 @@ fn radix_sort(
     for k in 0..radix.passes() {
         let digit = radix.digit_at(k);
         if k > 0 {
-            counts = workers.map(keys.chunks(chunk).collect(), |keys| {
-                let mut counts = vec![0; digit.buckets];
-                digit.count(keys, &mut counts);
-                counts
-            });
+            counts = workers.map(keys.chunks(chunk).collect(), |keys| digit.counts(keys));
         }
         let jobs = keys.chunks(chunk).zip(places(counts)).collect();
         scatter(
@@ -146,6 +163,12 @@ impl Digit {
     #[inline(always)]
     fn of(self, key: u64) -> usize {
         (key >> self.shift) as usize & (self.buckets - 1)
+    }
+
+    fn counts(self, keys: &[u64]) -> Vec<u32> {
+        let mut counts = vec![0; self.buckets];
+        self.count(keys, &mut counts);
+        counts
     }
 
     fn count(self, keys: &[u64], counts: &mut [u32]) {
@@ -277,6 +300,12 @@ impl Radix {
         Self { bits, digit }
     }
 
+    /// Chooses for keys of so many bits the fewest passes of up to twelve of them.
+    fn of_bits(bits: u32) -> Self {
+        let digit = bits.div_ceil(bits.div_ceil(12));
+        Self { bits, digit }
+    }
+
     fn passes(self) -> u32 {
         self.bits.div_ceil(self.digit)
     }
@@ -335,6 +364,22 @@ mod tests {
     fn threads_do_not_change_the_order() {
         let points = scattered(100_000);
         assert_eq!(ordered(&points, 1).keys, ordered(&points, 3).keys);
+    }
+
+    #[test]
+    fn high_halves_are_sorted_stably_whatever_their_bits() {
+        for (n, bits) in [(0, 1), (500, 7), (5000, 1), (5000, 13), (70_000, 30)] {
+            let key = |i: u64| (i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - bits)) << 32 | i;
+            let keys: Vec<u64> = (0..n).map(key).collect();
+            let mut expected = keys.clone();
+            expected.sort();
+            for threads in [1, 3] {
+                let sorted = with_workers(Some(threads), |workers| {
+                    sort_by_high_half(keys.clone(), bits, workers, &())
+                });
+                assert_eq!(sorted.unwrap().unwrap(), expected);
+            }
+        }
     }
 
     #[test]

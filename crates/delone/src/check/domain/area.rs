@@ -1,6 +1,5 @@
 //! The domain: faces that the rule takes in, less those with a hole's seed.
 
-use super::super::pace::Pace;
 use super::chains::Chains;
 use super::faces::{Face, Faces};
 use super::graph::{Dart, Graph};
@@ -8,6 +7,7 @@ use super::places::Place;
 use super::rule;
 use super::sweep::{Below, Spot};
 use super::union::Union;
+use crate::pace::Pace;
 use crate::{DomainRule, Error, Pslg, Seed};
 
 /// Which side of what belongs to the domain.

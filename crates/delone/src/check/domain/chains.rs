@@ -14,11 +14,11 @@
 //! *Cost*: O(log d) for a step from a place with d subsegments, more only where segments run beside
 //! each other within the drift; all attempts beyond these together are limited by the size of the graph.
 
-use super::super::pace::Pace;
 use super::bends::Bends;
 use super::drift::Corridor;
 use super::graph::{Dart, Graph};
 use super::places::Place;
+use crate::pace::Pace;
 use crate::{Error, VertexId};
 
 /// Darts that are tried just because they are there, for each dart and place of the graph: far more

@@ -1,9 +1,10 @@
 //! Which edges the graph has: the claimed subsegments and, under [`DomainRule::Hull`], the hull.
 
-use super::super::{Corner, Defect, Defects, pace::Pace};
+use super::super::{Corner, Defect, Defects};
 use super::graph::Edge;
 use super::places::{Place, Places};
 use super::sort::sort;
+use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
 use crate::{DomainRule, Error, Point, VertexId};
 

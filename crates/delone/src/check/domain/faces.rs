@@ -7,11 +7,11 @@
 //!
 //! *Cost*: near linear.
 
-use super::super::pace::Pace;
 use super::graph::{Dart, Graph};
 use super::sweep::Below;
 use super::union::Union;
 use crate::Error;
+use crate::pace::Pace;
 
 /// The number of a face.
 pub(super) type Face = u32;

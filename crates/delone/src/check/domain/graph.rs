@@ -1,9 +1,10 @@
 //! The planar graph of subsegments and hull edges: darts, stars and the cycles around faces.
 
-use super::super::{Corner, pace::Pace};
+use super::super::Corner;
 use super::places::{Place, Places};
 use super::sort::sort;
 use crate::Error;
+use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
 use std::cmp::Ordering;
 

@@ -1,7 +1,8 @@
 //! Is the input one that has a domain? What is wrong with it is an error, not a defect of a mesh.
 
-use super::super::{pace::Pace, require_points};
+use super::super::require_points;
 use super::places::Places;
+use crate::pace::Pace;
 use crate::{Error, Pslg, Seed, VertexId};
 
 /// Requires finite points and seeds, and segments and polygons that name what exists.

@@ -65,8 +65,9 @@ mod sweep;
 mod union;
 
 use super::certificate::DomainNumbers;
-use super::{Corner, Defect, Defects, Verdict, Verifier, adjacency, pace::Pace, require_points};
-use crate::{DomainRule, Error, Point, Pslg, VertexId, Watch};
+use super::{Corner, Defect, Defects, Verdict, Verifier, adjacency, require_points};
+use crate::pace::Pace;
+use crate::{DomainRule, Error, Phase, Point, Pslg, VertexId, Watch};
 use adjacency::Adjacency;
 use area::Area;
 use chains::{Chains, Claimed};
@@ -147,7 +148,7 @@ pub fn verify_domain(
     mesh: &DomainMesh,
     watch: &dyn Watch,
 ) -> Result<Verdict, Error> {
-    let mut pace = Pace::new(watch, work(input, mesh));
+    let mut pace = Pace::new(watch, Phase::Check, work(input, mesh));
     input::require(input, &mut pace)?;
     require_points(mesh.points, &mut pace)?;
     let verifier = Verifier {

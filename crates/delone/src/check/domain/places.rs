@@ -3,8 +3,9 @@
 //! With places for vertices, equal points need no further thought, and the lexicographic order of
 //! positions is the order of numbers.
 
-use super::super::{Corner, pace::Pace};
+use super::super::Corner;
 use super::sort::sort;
+use crate::pace::Pace;
 use crate::{Error, Point, VertexId};
 
 /// The number of a place, by x, then y.

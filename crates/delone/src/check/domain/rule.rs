@@ -1,9 +1,9 @@
 //! Which faces belong to the domain: the rules, read literally.
 
-use super::super::pace::Pace;
 use super::chains::Chains;
 use super::faces::{Face, Faces, OUTER};
 use super::graph::{Dart, Graph};
+use crate::pace::Pace;
 use crate::{DomainRule, Error, Pslg};
 use std::collections::VecDeque;
 

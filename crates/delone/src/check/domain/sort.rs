@@ -1,7 +1,7 @@
 //! Sorting that can be cancelled.
 
-use super::super::pace::Pace;
 use crate::Error;
+use crate::pace::Pace;
 use std::cmp::Ordering;
 
 /// Items that are sorted in one go: some ten thousand comparisons.
@@ -57,6 +57,7 @@ fn merge<T: Copy>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Phase;
 
     #[test]
     fn sorts_as_the_standard_library_does() {
@@ -64,7 +65,7 @@ mod tests {
             let mut items: Vec<u64> = (0..n as u64).map(|i| i * 7_919 % 4_099).collect();
             let mut expected = items.clone();
             expected.sort_unstable();
-            sort(&mut items, &mut Pace::new(&(), 1), u64::cmp).unwrap();
+            sort(&mut items, &mut Pace::new(&(), Phase::Check, 1), u64::cmp).unwrap();
             assert_eq!(items, expected);
         }
     }

@@ -15,9 +15,9 @@
 //!
 //! *Cost*: O(log n) comparisons a dart or place.
 
-use super::super::pace::Pace;
 use super::graph::{Dart, Graph};
 use super::places::Place;
+use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
 use crate::{Error, Point};
 use std::cmp::Ordering;

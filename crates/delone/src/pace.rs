@@ -5,17 +5,19 @@ use crate::{Error, Phase, Watch};
 /// Steps between two polls: below 100 ms even if every step takes an exact predicate of 20 µs.
 const STRIDE: u64 = 1 << 12;
 
-/// Counts the steps of one verification and tells the watch.
-pub(super) struct Pace<'a> {
+/// Counts the steps of one phase and tells the watch.
+pub(crate) struct Pace<'a> {
     watch: &'a dyn Watch,
+    phase: Phase,
     done: u64,
     total: u64,
 }
 
 impl<'a> Pace<'a> {
-    pub(super) fn new(watch: &'a dyn Watch, total: u64) -> Self {
+    pub(crate) fn new(watch: &'a dyn Watch, phase: Phase, total: u64) -> Self {
         Self {
             watch,
+            phase,
             done: 0,
             total,
         }
@@ -23,7 +25,7 @@ impl<'a> Pace<'a> {
 
     /// Counts one step.
     #[inline]
-    pub(super) fn step(&mut self) -> Result<(), Error> {
+    pub(crate) fn step(&mut self) -> Result<(), Error> {
         self.done += 1;
         if self.done.is_multiple_of(STRIDE) {
             self.poll()
@@ -37,14 +39,14 @@ impl<'a> Pace<'a> {
         if self.watch.is_cancelled() {
             return Err(Error::Cancelled);
         }
-        // The passes that explain a defect are not part of the estimate.
+        // The estimate may fall short: it does not know of passes that explain a defect.
         let done = self.done.min(self.total);
-        self.watch.progress(Phase::Check, done, self.total);
+        self.watch.progress(self.phase, done, self.total);
         Ok(())
     }
 
     /// Reports the end.
-    pub(super) fn finish(&mut self) {
-        self.watch.progress(Phase::Check, self.total, self.total);
+    pub(crate) fn finish(&mut self) {
+        self.watch.progress(self.phase, self.total, self.total);
     }
 }
