@@ -85,10 +85,10 @@ impl Convert {
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         let outputs = self.outputs(Content::Domain)?;
         outputs.spare(input)?;
-        let (domain, unused) = input.domain(progress)?;
+        let (mut domain, unused) = input.domain(progress)?;
         progress.note(&unused);
         let written = self.writing.domain(&outputs, &domain, progress)?;
-        Ok((written, words::domain(&domain)))
+        Ok((written, words::domain(&domain.take_pslg())))
     }
 
     fn convert_points(

@@ -6,6 +6,7 @@ mod convert;
 mod domain;
 mod exit;
 mod files;
+mod info;
 mod interrupt;
 mod memory;
 mod numbering;

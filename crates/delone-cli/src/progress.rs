@@ -93,7 +93,7 @@ fn label(phase: Phase) -> &'static str {
         Phase::Read => "reading",
         Phase::Sort => "sorting",
         Phase::Triangulate => "triangulating",
-        Phase::Node => "splitting",
+        Phase::Node => "crossings",
         Phase::Constrain => "constraining",
         Phase::Carve => "carving",
         Phase::Export => "renumbering",

@@ -108,12 +108,12 @@ impl Sample {
                 let points = distribution.points(self.count as usize, self.seed);
                 self.write_points(&point_set(points), &progress)?
             }
-            Name::Scene(scene) => self.write_domain(&scene.draw(), &progress)?,
+            Name::Scene(scene) => self.write_domain(scene.draw(), &progress)?,
             Name::Domain(domain) => {
                 // A loose segment has two points.
                 require_room(2 * self.count as usize)?;
                 let drawing = domain.draw(self.count as usize, self.seed);
-                self.write_domain(&domain_data(drawing), &progress)?
+                self.write_domain(domain_data(drawing), &progress)?
             }
         };
         progress.finish();
@@ -136,12 +136,12 @@ impl Sample {
 
     fn write_domain(
         &self,
-        domain: &DomainData,
+        mut domain: DomainData,
         progress: &Progress,
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         let outputs = self.outputs(Content::Domain, Format::Poly)?;
-        let written = self.writing.domain(&outputs, domain, progress)?;
-        Ok((written, words::domain(domain)))
+        let written = self.writing.domain(&outputs, &domain, progress)?;
+        Ok((written, words::domain(&domain.take_pslg())))
     }
 
     fn outputs(&self, content: Content, default: Format) -> Result<Outputs, Failure> {

@@ -1,6 +1,6 @@
 //! Figures as people read them.
 
-use delone_io::DomainData;
+use delone::Pslg;
 use std::time::Duration;
 
 /// Writes a count with its digits in groups of three: `1,249`.
@@ -22,13 +22,13 @@ pub fn counted(n: usize, one: &str, many: &str) -> String {
 }
 
 /// Writes what a domain consists of: `9 points, 9 segments and 1 hole`.
-pub fn domain(domain: &DomainData) -> String {
-    let mut parts = vec![counted(domain.vertices.points.len(), "point", "points")];
+pub fn domain(pslg: &Pslg) -> String {
+    let mut parts = vec![counted(pslg.points.len(), "point", "points")];
     for (n, one, many) in [
-        (domain.segments.len(), "segment", "segments"),
-        (domain.polygons.len(), "polygon", "polygons"),
-        (domain.holes.len(), "hole", "holes"),
-        (domain.regions.len(), "region", "regions"),
+        (pslg.segments.len(), "segment", "segments"),
+        (pslg.polygons.len(), "polygon", "polygons"),
+        (pslg.holes.len(), "hole", "holes"),
+        (pslg.regions.len(), "region", "regions"),
     ] {
         if n > 0 {
             parts.push(counted(n, one, many));
