@@ -240,6 +240,20 @@ pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
     crossing::crossing(s, t).0
 }
 
+/// Tells whether a segment passes `p` as far as `f64` can tell: its point of the same abscissa, or of
+/// the same ordinate, rounds to `p`. Its ends do not count.
+pub(crate) fn passes([a, b]: [Point; 2], p: Point) -> bool {
+    let is_within = |a: f64, b: f64, c: f64| (a <= c && c <= b) || (b <= c && c <= a);
+    if p == a || p == b || !is_within(a.x, b.x, p.x) || !is_within(a.y, b.y, p.y) {
+        return false;
+    }
+    let meets = |c: Point, d: Point| construct_crossing([a, b], [c, d]) == p;
+    a.x == b.x
+        || a.y == b.y
+        || meets(Point::new(p.x, a.y), Point::new(p.x, b.y))
+        || meets(Point::new(a.x, p.y), Point::new(b.x, p.y))
+}
+
 /// [`orient2d`] for callers whose own filter has failed.
 #[cold]
 #[inline(never)]

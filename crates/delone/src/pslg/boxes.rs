@@ -41,7 +41,22 @@ impl Octagon {
     /// Bounds a segment.
     #[inline]
     pub fn of_segment([a, b]: [Point; 2]) -> Self {
-        Self::of_point(a).union(&Self::of_point(b))
+        Self::of_point(a).union(&Self::of_point(b)).loosened()
+    }
+
+    /// Widens the bounds of the sums so that they hold everything to which a point in the bounds of
+    /// x and y can be rounded: each coordinate moves by up to 2⁻⁵³ of itself or half of the least
+    /// number, and sums are rounded.
+    #[inline]
+    fn loosened(mut self) -> Self {
+        const SHARE: f64 = f64::EPSILON * 2.0;
+        let size = |k: usize| self.largest[k].abs().max(self.least[k].abs());
+        let margin = SHARE * size(0) + SHARE * size(1) + f64::MIN_POSITIVE;
+        for k in [2, 3] {
+            self.least[k] -= margin;
+            self.largest[k] += margin;
+        }
+        self
     }
 
     #[inline]

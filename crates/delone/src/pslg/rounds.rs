@@ -5,6 +5,14 @@
 //! subsegment. From the second round on only pairs with a new member are looked at: each round's new
 //! subsegments get a tree of their own, which is joined with itself and with all older trees. (New
 //! vertices need none: each is an end of a new subsegment.)
+//!
+//! *Cascades.* Where three or more segments run within a unit in the last place of each other, cutting
+//! two moves them across the third, at an angle so small that the next crossing is far away, and so on
+//! along the whole length: each round adds half as many vertices again as the last, until, after some
+//! 2⁵⁰, the grid is full. If there are too many rounds or vertices, subsegments are therefore also cut
+//! at the vertices that they pass up to rounding, the new crossings included: snap rounding (Hobby
+//! 1999; Guibas and Marimont 1998), which leaves no crossing at all on a uniform grid, and on the grid
+//! of `f64` in all tests after a few more rounds. Where it begins depends on the set alone, too.
 
 use super::boxes::BoxTree;
 use super::meeting::{Ends, Meeting, meet};
@@ -13,7 +21,7 @@ use super::pieces::Pieces;
 use super::search::{Pace, Sweep, tree_of, tree_of_points};
 use super::vertices::{Index, Vertices};
 use crate::parallel::Workers;
-use crate::predicates::{Orientation, construct_crossing, orient2d};
+use crate::predicates::{Orientation, construct_crossing, orient2d, passes};
 use crate::{Point, VertexId, Watch};
 
 /// The state between two rounds.
@@ -33,10 +41,22 @@ pub(super) struct Rounds<'a> {
     index: Option<Index>,
     /// For each added vertex the first pair of segments that cross there.
     crossings: Vec<[u32; 2]>,
-    /// Leaves visited in the rounds before.
+    /// Rounds that have cut something.
+    round: usize,
+    /// Vertices added by the first round.
+    added_first: usize,
+    /// Leaves visited so far.
     done: u64,
     workers: Workers,
     watch: &'a dyn Watch,
+}
+
+/// Rounds that cut only at what is found by exact signs. Random segments need two or three.
+pub(super) const EXACT_ROUNDS: usize = 12;
+
+/// More added vertices than this, when the first round adds `first`, show a cascade.
+pub(super) fn most_added(first: usize) -> usize {
+    4 * first + 64
 }
 
 /// What one job has found.
@@ -83,6 +103,8 @@ impl<'a> Rounds<'a> {
             loose,
             index: None,
             crossings: Vec::new(),
+            round: 0,
+            added_first: 0,
             done: 0,
             workers,
             watch,
@@ -91,25 +113,81 @@ impl<'a> Rounds<'a> {
 
     /// Makes one round; true if something was cut, `None` if the watch cancelled.
     pub fn step(&mut self) -> Option<bool> {
-        let (through, crossings) = self.search()?;
-        let mut cuts = through;
+        let (mut cuts, crossings) = self.search()?;
+        let known = self.vertices.len();
         self.place(crossings, &mut cuts)?;
         if cuts.is_empty() {
             return Some(false);
         }
+        if self.is_cascade() {
+            self.snap(known, &mut cuts)?;
+        }
         self.cut(cuts)?;
+        self.round += 1;
+        if self.round == 1 {
+            self.added_first = self.vertices.added.len();
+        }
         Some(true)
+    }
+
+    /// Tells whether rounds are about to go on for ever.
+    fn is_cascade(&self) -> bool {
+        let most = most_added(self.added_first);
+        self.round >= EXACT_ROUNDS || (self.round > 0 && self.vertices.added.len() > most)
+    }
+
+    /// Adds the vertices that subsegments pass, up to rounding, to the cuts: pairs with a subsegment
+    /// that is new, or with a vertex that is an end of one or was added since there were `known`.
+    fn snap(&mut self, known: usize, cuts: &mut Vec<Cut>) -> Option<()> {
+        let (new, old) = self.layers.split_last().expect("bug: no layer");
+        let ends = new
+            .items()
+            .iter()
+            .flat_map(|&s| self.pieces.ends[s as usize]);
+        let mut hot: Vec<u32> = ends
+            .chain(known as u32..self.vertices.len() as u32)
+            .collect();
+        hot.sort_unstable();
+        hot.dedup();
+        let hot = tree_of_points(&self.vertices, &hot, self.workers);
+        let sweep = self.sweep();
+        let at_hot = sweep.leaves(&hot, |leaf, pace, cuts: &mut Vec<Cut>| {
+            self.layers.iter().all(|layer| {
+                hot.pairs_with(leaf, layer, &mut pace.stack, |v, s| {
+                    self.snap_to(s, v, cuts);
+                    pace.ticks.step()
+                })
+            })
+        })?;
+        let at_old = sweep.leaves(new, |leaf, pace, cuts: &mut Vec<Cut>| {
+            let Pace { stack, ticks } = pace;
+            old.iter().all(|layer| {
+                new.pairs_with(leaf, layer, stack, |s, t| {
+                    for v in self.pieces.ends[t as usize] {
+                        self.snap_to(s, v, cuts);
+                    }
+                    ticks.step()
+                })
+            }) && new.pairs_with(leaf, &self.loose, stack, |s, v| {
+                self.snap_to(s, v, cuts);
+                ticks.step()
+            })
+        })?;
+        cuts.extend(at_hot.into_iter().chain(at_old).flatten());
+        Some(())
+    }
+
+    fn snap_to(&self, s: u32, v: u32, cuts: &mut Vec<Cut>) {
+        let ends = self.positions(self.pieces.ends[s as usize]);
+        if !self.pieces.is_cut(s) && passes(ends, self.vertices.at(v)) {
+            cuts.push([s, v]);
+        }
     }
 
     /// Finds everything that must be cut, among pairs with a new member.
     fn search(&mut self) -> Option<(Vec<Cut>, Vec<Crossing>)> {
         let (new, old) = self.layers.split_last().expect("bug: no layer");
-        let sweep = Sweep {
-            workers: self.workers,
-            watch: self.watch,
-            done: self.done,
-        };
-        let found = sweep.leaves(new, |leaf, pace, found: &mut Found| {
+        let found = self.sweep().leaves(new, |leaf, pace, found: &mut Found| {
             self.search_leaf(new, old, leaf, pace, found)
         })?;
         self.done += new.num_leaves() as u64;
@@ -119,6 +197,14 @@ impl<'a> Rounds<'a> {
             crossings.extend(found.crossings);
         }
         Some((cuts, crossings))
+    }
+
+    fn sweep(&self) -> Sweep<'a> {
+        Sweep {
+            workers: self.workers,
+            watch: self.watch,
+            done: self.done,
+        }
     }
 
     fn search_leaf(
