@@ -104,7 +104,7 @@ fn without_input_the_sample_leaves_mesh_and_picture() {
     let output = folder.run("triangulate", 0);
     assert_eq!(output.stdout, "");
     output.says(&[
-        "627 vertices",
+        "628 vertices",
         "522 segments",
         "islands",
         "delone check lake.ele --domain drawing.poly",
@@ -120,7 +120,7 @@ fn without_input_the_sample_leaves_mesh_and_picture() {
 fn without_input_only_what_is_asked_for_is_written() {
     let folder = Folder::new();
     let json = folder.run("triangulate --json", 0).json();
-    assert_eq!(json["vertices"], 627);
+    assert_eq!(json["vertices"], 628);
     assert_eq!(folder.names(), [""; 0]);
     folder.run("triangulate --picture map.svg", 0);
     assert_eq!(folder.names(), ["map.svg"]);

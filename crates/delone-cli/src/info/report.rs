@@ -208,11 +208,7 @@ impl Report {
 
     fn write_head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {}.", self.file, self.verdict())?;
-        writeln!(
-            f,
-            "  {}; by default, {} is kept",
-            self.content, self.usual_rule
-        )?;
+        writeln!(f, "  {} (rule: {})", self.content, self.usual_rule)?;
         if let Some([low, high]) = self.bounds {
             let on_a_line = if self.collinear {
                 ", all on one line"

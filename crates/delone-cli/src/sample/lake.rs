@@ -110,9 +110,8 @@ const BASIN: [[f64; 2]; 12] = [
     [2.4, 5.7],
 ];
 
-/// A breakwater that starts at the shore's corner `BREAKWATER_START`.
-const BREAKWATER_START: [f64; 2] = [12.7, 2.0];
-const BREAKWATER_LINE: [[f64; 2]; 3] = [[12.3, 2.2], [12.0, 2.15], [11.8, 2.0]];
+/// A breakwater off the southern shore.
+const BREAKWATER_LINE: [[f64; 2]; 4] = [[12.5, 2.15], [12.3, 2.2], [12.0, 2.15], [11.8, 2.0]];
 
 /// Soundings lie about so far from each other, and at least half as far from anything drawn.
 const SPACING: f64 = 0.6;
@@ -131,7 +130,7 @@ pub(super) fn draw() -> Sheet {
     }
     lake.add_ring(POND, rounded(rough_ring(&POND_SHORE, ROUGH, random)));
     lake.add_ring(CONTOUR, rounded(cut_corners(cut_corners(BASIN.into()))));
-    draw_breakwater(&mut lake);
+    lake.add_line(BREAKWATER, BREAKWATER_LINE);
     let soundings = soundings(&lake, random);
     lake.points.extend(soundings);
     lake.holes.extend(LAND);
@@ -158,15 +157,6 @@ fn draw_shore(lake: &mut Sheet, random: &mut Random) {
     lake.add_ring(SHORE, rounded(shore));
     if let Some(last) = lake.markers.last_mut() {
         *last = RIVER;
-    }
-}
-
-fn draw_breakwater(lake: &mut Sheet) {
-    let start = lake.points.iter().position(|&p| p == BREAKWATER_START);
-    let first = lake.points.len() as u32;
-    lake.add_line(BREAKWATER, BREAKWATER_LINE);
-    if let Some(start) = start {
-        lake.add_segment(BREAKWATER, [start as u32, first]);
     }
 }
 
