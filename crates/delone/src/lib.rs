@@ -85,6 +85,8 @@ pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use point::Point;
-pub use pslg::{DomainRule, Pslg, Region, SegmentPolicy};
+pub use pslg::{
+    DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,
+};
 pub use triangulation::{Duplicate, Triangulation};
 pub use watch::{Phase, Watch};

@@ -44,6 +44,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "point",
             "mesh::VertexId",
             "predicates",
+            "error",
             "watch",
             "memory",
             "parallel",

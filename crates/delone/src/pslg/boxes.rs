@@ -172,17 +172,32 @@ impl BoxTree {
         })
     }
 
-    /// Visits the items whose boxes contain a point.
-    pub fn at(&self, p: Point, mut visit: impl FnMut(u32)) {
-        let bounds = Octagon::of_point(p);
-        self.leaves_overlapping(&bounds, 0, &mut Stack::default(), |range| {
-            for i in range {
-                if bounds.overlaps(&self.levels[0][i]) {
-                    visit(self.items[i]);
-                }
+    /// Visits items whose boxes reach over or below `p`, those that reach higher mostly first. `visit`
+    /// returns the ordinate below which nothing is of interest any more.
+    pub fn below(&self, p: Point, stack: &mut Stack, mut visit: impl FnMut(u32) -> f64) {
+        let mut floor = f64::NEG_INFINITY;
+        let top = self.levels.len() - 1;
+        stack.0.clear();
+        stack
+            .0
+            .extend((0..self.levels[top].len()).map(|node| (top, node)));
+        while let Some((level, node)) = stack.0.pop() {
+            let Octagon { least, largest } = &self.levels[level][node];
+            let is_over = least[0] <= p.x && p.x <= largest[0] && least[1] <= p.y;
+            if !is_over || largest[1] < floor {
+                continue;
             }
-            true
-        });
+            if level == 0 {
+                floor = visit(self.items[node]);
+                continue;
+            }
+            let first = stack.0.len();
+            let below = &self.levels[level - 1];
+            let children = FAN * node..(FAN * node + FAN).min(below.len());
+            stack.0.extend(children.map(|child| (level - 1, child)));
+            let height = |node: usize| below[node].largest[1].min(p.y);
+            stack.0[first..].sort_by(|a, b| height(a.1).total_cmp(&height(b.1)));
+        }
     }
 
     /// Visits the leaves from number `from` on whose boxes overlap `bounds`, as ranges of positions,
@@ -386,8 +401,11 @@ mod tests {
         let tree = tree(&boxes, 0);
         for (i, p) in points.enumerate() {
             let mut found = Vec::new();
-            tree.at(p, |j| found.push(j as usize));
-            assert_eq!(found, [i]);
+            tree.below(p, &mut Stack::default(), |j| {
+                found.push(j as usize);
+                p.y
+            });
+            assert!(found.contains(&i));
         }
     }
 

@@ -7,15 +7,21 @@
 
 mod boxes;
 mod chains;
+mod facts;
+mod listed;
 mod meeting;
 mod noding;
 mod pieces;
+mod rings;
 mod rounds;
 mod search;
 mod vertices;
 
 pub(crate) use chains::Chains;
+pub use facts::{Facts, SegmentCrossing, VertexOnSegment};
+pub use listed::Listed;
 pub(crate) use noding::{Noding, first_crossing, node};
+pub use rings::Ring;
 
 use crate::{Point, VertexId};
 use std::ops::Range;
