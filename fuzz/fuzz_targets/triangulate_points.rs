@@ -3,7 +3,7 @@
 
 #![no_main]
 
-use delone_testkit::fuzz::{Depth, check, points_from_bytes};
+use delone_testkit::fuzz::points::{Depth, check, points_from_bytes};
 use libfuzzer_sys::fuzz_target;
 
 /// Above this the O(n⁴) oracle would slow the fuzzer down.

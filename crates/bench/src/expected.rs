@@ -1,13 +1,45 @@
-//! How many triangles a point set must have, found without triangulating it.
+//! How many triangles and constrained edges a result must have, found without triangulating.
 //!
 //! Euler: v distinct points of which h lie on the boundary of the convex hull (those inside its
-//! edges included) have 2v − 2 − h triangles. The hull comes from Andrew's monotone chain with the
-//! adaptive exact `orient2d` of the `robust` crate, so this shares no code with any builder of
-//! ours. The count does not prove a triangulation Delaunay; a wrong count proves it broken.
+//! edges included) have 2v − 2 − h triangles, constrained or not; inside a ring of n vertices there
+//! are n − 2. The hull comes from Andrew's monotone chain with the adaptive exact `orient2d` of the
+//! `robust` crate, so this shares no code with any builder of ours. The count does not prove a triangulation Delaunay; a wrong count proves it broken.
 //!
 //! *Cost*: O(n log n), about 150 ns a point at a million.
 
+use crate::engines::{Engine, Extent};
+use crate::subject::{Subject, Task};
+use delone_samples::Drawing;
 use robust::{Coord, orient2d};
+use serde::{Deserialize, Serialize};
+
+/// What a result must have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Expected {
+    /// So many triangles.
+    pub triangles: usize,
+    /// So many constrained edges, if the engine counts them: clean segments become an edge each.
+    pub constrained: usize,
+}
+
+impl Expected {
+    /// Returns what `engine` must make of `subject`, which was drawn as `drawing`. Of crossing
+    /// segments nothing is known in advance.
+    pub fn of(engine: Engine, subject: Subject, drawing: &Drawing) -> Option<Self> {
+        let extent = engine.facts(subject.task())?.extent;
+        let triangles = match (subject.task(), extent) {
+            (Task::Crossings, _) => return None,
+            (Task::Domain, Extent::InsideRings | Extent::OnlyRings) if subject.is_ring() => {
+                drawing.points.len().saturating_sub(2)
+            }
+            _ => num_triangles(&drawing.points),
+        };
+        Some(Self {
+            triangles,
+            constrained: drawing.segments.len(),
+        })
+    }
+}
 
 /// Counts the triangles of any triangulation of the distinct points among `points`.
 pub fn num_triangles(points: &[[f64; 2]]) -> usize {
@@ -45,7 +77,22 @@ fn chain_len<'p>(sorted: impl Iterator<Item = &'p [f64; 2]>) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::num_triangles;
+    use super::{Expected, num_triangles};
+    use crate::engines::Engine;
+    use delone_samples::{Distribution, Domain};
+
+    #[test]
+    fn rings_count_inside_or_hull() {
+        let ring = Domain::Spiral.draw(100, 1);
+        let of = |engine, subject| Expected::of(engine, subject, &ring);
+        let inside = of(Engine::Cdt, Domain::Spiral.into()).unwrap();
+        assert_eq!((inside.triangles, inside.constrained), (98, 100));
+        let hull = of(Engine::Spade, Domain::Spiral.into()).unwrap();
+        assert_eq!(hull.triangles, num_triangles(&ring.points));
+        assert!(hull.triangles > 98);
+        assert_eq!(of(Engine::Spade, Domain::Tangle.into()), None);
+        assert_eq!(of(Engine::ITriangle, Distribution::Grid.into()), None);
+    }
 
     #[test]
     fn small_sets() {

@@ -1,33 +1,34 @@
 //! What one child process is asked to do, and what it answers.
 
-use crate::distributions::Distribution;
 use crate::engines::Engine;
-use crate::expected;
+use crate::expected::Expected;
 use crate::measure::Run;
+use crate::subject::Subject;
+use delone_samples::Drawing;
 use serde::{Deserialize, Serialize};
 
 /// The name of the subcommand that runs a job.
 pub const SUBCOMMAND: &str = "job";
 
-/// One engine on one kind of points, some times in a row.
+/// One engine on one kind of input, some times in a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::Args)]
 pub struct Job {
     /// Who triangulates
     #[arg(long)]
     pub engine: Engine,
-    /// How the points are spread
+    /// Kind of points, or domain
     #[arg(long)]
-    pub distribution: Distribution,
-    /// How many points
+    pub subject: Subject,
+    /// How many points or segments
     #[arg(long)]
-    pub points: usize,
+    pub size: usize,
     /// Seed of the first repeat; each further one takes the next
     #[arg(long)]
     pub seed: u64,
-    /// How often, each time on new points
+    /// How often, each time on new input
     #[arg(long)]
     pub repeats: usize,
-    /// Checks the results and counts the triangles they must have
+    /// Checks the results and counts what they must have
     #[arg(long)]
     pub verify: bool,
 }
@@ -37,8 +38,8 @@ pub struct Job {
 pub struct Answer {
     /// One entry a repeat.
     pub runs: Vec<Run>,
-    /// Number of triangles that the first repeat's points must have, if the job verifies.
-    pub expected: Option<usize>,
+    /// What the first repeat's result must have, if the job verifies and it is known.
+    pub expected: Option<Expected>,
 }
 
 impl Job {
@@ -47,8 +48,8 @@ impl Job {
         let mut args = vec![SUBCOMMAND.to_owned()];
         let options = [
             ("--engine", self.engine.to_string()),
-            ("--distribution", self.distribution.to_string()),
-            ("--points", self.points.to_string()),
+            ("--subject", self.subject.to_string()),
+            ("--size", self.size.to_string()),
             ("--seed", self.seed.to_string()),
             ("--repeats", self.repeats.to_string()),
         ];
@@ -62,30 +63,32 @@ impl Job {
     /// # Errors
     /// What the engine, or its verification, says.
     pub fn run(self) -> Result<Answer, String> {
+        let task = self.subject.task();
         let runs = (0..self.repeats as u64)
-            .map(|i| self.engine.run(self.make_points(i), self.verify))
+            .map(|i| self.engine.run(task, self.draw(i), self.verify))
             .collect::<Result<_, _>>()?;
+        // Counted after the measurement, on input made anew: neither may weigh on it.
+        let expected = self
+            .verify
+            .then(|| Expected::of(self.engine, self.subject, &self.draw(0)));
         Ok(Answer {
             runs,
-            // Counted after the measurement, on points made anew: neither may weigh on it.
-            expected: self
-                .verify
-                .then(|| expected::num_triangles(&self.make_points(0))),
+            expected: expected.flatten(),
         })
     }
 
-    fn make_points(self, repeat: u64) -> Vec<[f64; 2]> {
-        self.distribution
-            .points(self.points, self.seed.wrapping_add(repeat))
+    fn draw(self, repeat: u64) -> Drawing {
+        self.subject.make(self.size, self.seed.wrapping_add(repeat))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Job, SUBCOMMAND};
-    use crate::distributions::Distribution;
     use crate::engines::Engine;
+    use crate::subject::Subject;
     use clap::Parser;
+    use delone_samples::{Distribution, Domain};
 
     #[derive(clap::Parser)]
     struct CommandLine {
@@ -95,8 +98,8 @@ mod tests {
 
     const JOB: Job = Job {
         engine: Engine::Spade,
-        distribution: Distribution::Grid,
-        points: 144,
+        subject: Subject::Points(Distribution::Grid),
+        size: 144,
         seed: 9,
         repeats: 3,
         verify: true,
@@ -104,13 +107,12 @@ mod tests {
 
     #[test]
     fn command_line_carries_the_job() {
-        for job in [
-            JOB,
-            Job {
-                verify: false,
-                ..JOB
-            },
-        ] {
+        let domain = Job {
+            subject: Domain::Coast.into(),
+            verify: false,
+            ..JOB
+        };
+        for job in [JOB, domain] {
             let args = job.to_args();
             assert_eq!(args[0], SUBCOMMAND);
             assert_eq!(CommandLine::parse_from(args).job, job);
@@ -121,7 +123,8 @@ mod tests {
     fn repeats_are_measured_and_the_first_checked() {
         let answer = JOB.run().unwrap();
         assert_eq!(answer.runs.len(), 3);
-        assert_eq!(answer.expected, Some(2 * 11 * 11));
+        let expected = answer.expected.map(|expected| expected.triangles);
+        assert_eq!(expected, Some(2 * 11 * 11));
         assert!(answer.runs.iter().all(|run| run.triangles == 2 * 11 * 11));
     }
 }

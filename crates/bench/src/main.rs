@@ -1,7 +1,6 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
 use clap::{Args, Parser, Subcommand};
-use delone_bench::distributions::Distribution;
 use delone_bench::engines::Engine;
 use delone_bench::job::Job;
 use delone_bench::machine::Machine;
@@ -9,13 +8,15 @@ use delone_bench::plan::Plan;
 use delone_bench::process::Launcher;
 use delone_bench::report::Report;
 use delone_bench::stats::{median, parse_size};
+use delone_bench::subject::{Subject, Task};
+use delone_samples::{Distribution, Domain};
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// Measures Delone and its peers on the same points and prints tables in Markdown
+/// Measures Delone and its peers on the same points or domains and prints tables in Markdown
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true)]
 struct CommandLine {
@@ -36,13 +37,16 @@ enum Action {
 
 #[derive(Args)]
 struct Options {
-    /// Numbers of points
+    /// Numbers of points or segments
     #[arg(long, value_delimiter = ',', value_parser = parse_size, default_value = "10k,100k,1M")]
     sizes: Vec<usize>,
     /// Kinds of points [default: all]
     #[arg(long, value_delimiter = ',')]
     distributions: Vec<Distribution>,
-    /// Peers [default: all]
+    /// Domains instead of points: either clean ones or ones whose segments cross
+    #[arg(long, value_delimiter = ',', conflicts_with = "distributions")]
+    domains: Vec<Domain>,
+    /// Peers [default: all that can do it]
     #[arg(long, value_delimiter = ',')]
     peers: Option<Vec<Engine>>,
     /// Numbers of threads for Delone
@@ -60,7 +64,7 @@ struct Options {
     /// Measures less often
     #[arg(long)]
     quick: bool,
-    /// Seed of the points
+    /// Seed of the input
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Seconds that one triangulation may take
@@ -73,17 +77,17 @@ struct Options {
 
 #[derive(Args)]
 struct Profile {
-    /// Kind of points
-    distribution: Distribution,
-    /// Number of points
+    /// Kind of points, or domain
+    subject: Subject,
+    /// Number of points or segments
     #[arg(value_parser = parse_size)]
-    points: usize,
-    /// How often, each time on new points
+    size: usize,
+    /// How often, each time on new input
     repeats: usize,
     /// Number of threads
     #[arg(long, default_value = "1")]
     threads: NonZeroUsize,
-    /// Seed of the first points
+    /// Seed of the first input
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
@@ -108,7 +112,7 @@ fn print_tables(options: Options) -> Result<(), Box<dyn Error>> {
     let machine = Machine::inspect();
     let launcher = Launcher::this_program()?;
     let json = options.json.clone();
-    let plan = plan(options);
+    let plan = plan(options)?;
     let cells = plan.run(&launcher, &mut |group| eprintln!("{group}"));
     let report = Report {
         plan,
@@ -123,26 +127,63 @@ fn print_tables(options: Options) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn plan(options: Options) -> Plan {
+fn plan(options: Options) -> Result<Plan, String> {
+    let subjects = options.subjects();
+    let task = common_task(&subjects)?;
     let threads = options.threads.into_iter().map(NonZeroUsize::get);
     let ours = threads.map(|threads| Engine::Delone { threads });
-    let peers = options.peers.unwrap_or_else(|| Engine::PEERS.to_vec());
     let unless_quick = |normal, quick| if options.quick { quick } else { normal };
     let mut sizes = options.sizes;
     sizes.sort_unstable();
-    let mut distributions = options.distributions;
-    if distributions.is_empty() {
-        distributions.extend(Distribution::ALL);
-    }
-    Plan {
-        engines: ours.chain(peers).collect(),
-        distributions,
+    Ok(Plan {
+        engines: ours.chain(peers(options.peers, task)?).collect(),
+        task,
+        subjects,
         sizes,
         seed: options.seed,
         warmups: options.warmups.unwrap_or(unless_quick(2, 1)),
         runs: options.runs.unwrap_or(unless_quick(9, 3)),
         repeats: options.repeats.unwrap_or(unless_quick(9, 3)),
         timeout: Duration::from_secs(options.timeout),
+    })
+}
+
+impl Options {
+    fn subjects(&self) -> Vec<Subject> {
+        let points = self.distributions.iter().copied().map(Subject::from);
+        let domains = self.domains.iter().copied().map(Subject::from);
+        let asked_for: Vec<_> = points.chain(domains).collect();
+        if asked_for.is_empty() {
+            Distribution::ALL.map(Subject::from).to_vec()
+        } else {
+            asked_for
+        }
+    }
+}
+
+/// Returns what is done with all of `subjects`.
+fn common_task(subjects: &[Subject]) -> Result<Task, String> {
+    let [first, others @ ..] = subjects else {
+        return Ok(Task::Points);
+    };
+    match others.iter().find(|other| other.task() != first.task()) {
+        Some(other) => Err(format!(
+            "the segments of `{first}` and of `{other}` need different treatment; \
+             ask for clean and for crossing ones in two runs"
+        )),
+        None => Ok(first.task()),
+    }
+}
+
+/// Returns the peers that were asked for, or all that can do `task`.
+fn peers(asked_for: Option<Vec<Engine>>, task: Task) -> Result<Vec<Engine>, String> {
+    let able = |engine: &Engine| engine.facts(task).is_some();
+    let Some(asked_for) = asked_for else {
+        return Ok(Engine::PEERS.into_iter().filter(able).collect());
+    };
+    match asked_for.iter().find(|engine| !able(engine)) {
+        Some(engine) => Err(format!("{engine} cannot do this")),
+        None => Ok(asked_for),
     }
 }
 
@@ -156,21 +197,22 @@ fn print_profile(profile: &Profile) -> Result<(), Box<dyn Error>> {
     let engine = Engine::Delone {
         threads: profile.threads.get(),
     };
+    let Profile { subject, size, .. } = *profile;
+    let unit = subject.task().unit();
     let mut times = Vec::new();
     for repeat in 0..profile.repeats as u64 {
         let seed = profile.seed.wrapping_add(repeat);
-        let points = profile.distribution.points(profile.points, seed);
-        let run = engine.run(points, false)?;
-        let nanoseconds = run.seconds * 1e9 / profile.points as f64;
+        let run = engine.run(subject.task(), subject.make(size, seed), false)?;
+        let nanoseconds = run.seconds * 1e9 / size as f64;
         println!(
-            "run {repeat}: {nanoseconds:.1} ns/point, {} triangles",
+            "run {repeat}: {nanoseconds:.1} ns/{unit}, {} triangles",
             run.triangles
         );
         times.push(nanoseconds);
     }
     let fastest = times.iter().copied().min_by(f64::total_cmp);
     if let (Some(fastest), Some(median)) = (fastest, median(times)) {
-        println!("min {fastest:.1}, median {median:.1} ns/point");
+        println!("min {fastest:.1}, median {median:.1} ns/{unit}");
     }
     Ok(())
 }

@@ -5,6 +5,7 @@
 //! caller had before does not.
 
 use crate::engines::Contender;
+use delone_samples::Drawing;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::time::Instant;
@@ -20,6 +21,8 @@ pub struct Run {
     pub system: f64,
     /// Finite triangles in the result.
     pub triangles: usize,
+    /// Constrained edges in the result, if the engine knows them.
+    pub constrained: Option<usize>,
     /// Resident memory, if the system tells.
     pub memory: Option<Memory>,
     /// Name of the set of triangles; only from a verified run of an engine that has one.
@@ -29,7 +32,7 @@ pub struct Run {
 /// Resident memory around one triangulation, bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Memory {
-    /// Before, the points being there.
+    /// Before, the input being there.
     pub before: u64,
     /// High-water mark during it.
     pub peak: u64,
@@ -49,16 +52,12 @@ impl Memory {
     }
 }
 
-/// Lets `contender` triangulate `points` under the clock; checks the result afterwards if `verify`.
+/// Lets `contender` triangulate `drawing` under the clock; checks the result afterwards if `verify`.
 ///
 /// # Errors
 /// What the engine, or its verification, says.
-pub fn measure<C: Contender>(
-    contender: &C,
-    points: Vec<[f64; 2]>,
-    verify: bool,
-) -> Result<Run, String> {
-    let mut input = contender.prepare(points);
+pub fn measure<C: Contender>(contender: &C, drawing: Drawing, verify: bool) -> Result<Run, String> {
+    let mut input = contender.prepare(drawing);
     reset_peak();
     let before = resident();
     let processor = ProcessorTime::now();
@@ -77,6 +76,7 @@ pub fn measure<C: Contender>(
         user: spent.user,
         system: spent.system,
         triangles: contender.num_triangles(&output),
+        constrained: contender.num_constrained(&output),
         memory: memory(before, peak, after),
         hash: verify.then(|| contender.hash(&output)).flatten(),
     })
@@ -91,7 +91,7 @@ fn memory(before: Option<u64>, peak: Option<u64>, after: Option<u64>) -> Option<
 }
 
 /// Sets the high-water mark back to what is resident now. Where that fails the mark still holds
-/// the generation of the points, which needs no more than they do.
+/// the generation of the input, which needs little more than it does.
 fn reset_peak() {
     let _ = fs::write("/proc/self/clear_refs", "5");
 }
@@ -151,7 +151,7 @@ impl ProcessorTime {
 
 #[cfg(test)]
 mod tests {
-    use super::{Contender, measure, parse_status};
+    use super::{Contender, Drawing, measure, parse_status};
 
     /// Allocates 48 MiB, gives them back, keeps 64 more, and finds as many triangles as there are points.
     struct Glutton;
@@ -160,8 +160,8 @@ mod tests {
         type Input = Vec<[f64; 2]>;
         type Output = (usize, Vec<u8>);
 
-        fn prepare(&self, points: Vec<[f64; 2]>) -> Self::Input {
-            points
+        fn prepare(&self, drawing: Drawing) -> Self::Input {
+            drawing.points
         }
 
         fn triangulate(&self, input: &mut Self::Input) -> Result<Self::Output, String> {
@@ -182,9 +182,16 @@ mod tests {
         }
     }
 
+    fn points(count: usize) -> Drawing {
+        Drawing {
+            points: vec![[0.0; 2]; count],
+            segments: Vec::new(),
+        }
+    }
+
     #[test]
     fn memory_is_what_the_engine_allocates() {
-        let run = measure(&Glutton, vec![[0.0; 2]; 10], true).unwrap();
+        let run = measure(&Glutton, points(10), true).unwrap();
         assert_eq!(run.triangles, 10);
         assert!(run.seconds > 0.0);
         if let Some(memory) = run.memory {
@@ -195,8 +202,8 @@ mod tests {
 
     #[test]
     fn verification_is_asked_for_and_heard() {
-        assert!(measure(&Glutton, vec![[0.0; 2]; 3], false).is_ok());
-        let error = measure(&Glutton, vec![[0.0; 2]; 3], true);
+        assert!(measure(&Glutton, points(3), false).is_ok());
+        let error = measure(&Glutton, points(3), true);
         assert_eq!(error, Err("three is a crowd".to_owned()));
     }
 

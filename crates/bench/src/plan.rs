@@ -1,15 +1,17 @@
 //! Which cells are checked and timed, in which order.
 //!
-//! For every distribution and size: each engine's result is checked in a process of its own, then
+//! For every subject and size: each engine's result is checked in a process of its own, then
 //! the engines that did not fail are timed in turns (warm-up rounds, then rounds that count), then
 //! each runs its repeats in one process. An engine that took too long at one size is not tried at
-//! a larger one of the same distribution.
+//! a larger one of the same subject. Engines that cannot
+//! take a subject have no cell there.
 
-use crate::distributions::Distribution;
 use crate::engines::Engine;
+use crate::expected::Expected;
 use crate::job::{Answer, Job};
 use crate::measure::Run;
 use crate::process::Outcome;
+use crate::subject::{Subject, Task};
 use std::time::Duration;
 
 /// What to measure, and how carefully.
@@ -17,11 +19,13 @@ use std::time::Duration;
 pub struct Plan {
     /// Who takes part.
     pub engines: Vec<Engine>,
-    /// On which points.
-    pub distributions: Vec<Distribution>,
-    /// How many of them, ascending.
+    /// What is done; all subjects are for this.
+    pub task: Task,
+    /// On which points or domains.
+    pub subjects: Vec<Subject>,
+    /// How many points or segments, ascending.
     pub sizes: Vec<usize>,
-    /// Seed of the points of all fresh processes, and of the first repeat.
+    /// Seed of the input of all fresh processes, and of the first repeat.
     pub seed: u64,
     /// Rounds of fresh processes that are discarded.
     pub warmups: usize,
@@ -29,14 +33,15 @@ pub struct Plan {
     pub runs: usize,
     /// Triangulations in one process; 0 leaves that mode out.
     pub repeats: usize,
-    /// Longest time for one triangulation, with the making of its points.
+    /// Longest time for one triangulation, with the making of its input.
     pub timeout: Duration,
 }
 
 /// Is the result right, as far as was checked?
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The number of triangles is right, and what the engine checks itself holds.
+    /// The numbers of triangles and constrained edges are right where they are known, and what the
+    /// engine checks itself holds.
     Right,
     /// The number of triangles is wrong. The times stand, with a mark.
     Wrong {
@@ -56,13 +61,13 @@ pub enum Verdict {
     TimedOut(Duration),
 }
 
-/// All about one engine on one point set.
+/// All about one engine on one input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// How the points are spread.
-    pub distribution: Distribution,
-    /// How many points.
-    pub points: usize,
+    /// Kind of points, or domain.
+    pub subject: Subject,
+    /// How many points or segments.
+    pub size: usize,
     /// Who triangulates.
     pub engine: Engine,
     /// What the check found.
@@ -96,10 +101,10 @@ impl Plan {
     /// Carries the plan out; `tell` hears which group of cells is next.
     pub fn run(&self, worker: &impl Worker, tell: &mut dyn FnMut(&str)) -> Vec<Cell> {
         let mut cells: Vec<Cell> = Vec::new();
-        for &distribution in &self.distributions {
-            for &points in &self.sizes {
-                tell(&format!("{distribution}, {points} points"));
-                let mut group = self.check_group(worker, distribution, points, &cells);
+        for &subject in &self.subjects {
+            for &size in &self.sizes {
+                tell(&format!("{subject}, {size} {}s", self.task.unit()));
+                let mut group = self.check_group(worker, subject, size, &cells);
                 self.time_fresh(worker, &mut group);
                 self.time_repeated(worker, &mut group);
                 cells.append(&mut group);
@@ -111,15 +116,15 @@ impl Plan {
     fn check_group(
         &self,
         worker: &impl Worker,
-        distribution: Distribution,
-        points: usize,
+        subject: Subject,
+        size: usize,
         before: &[Cell],
     ) -> Vec<Cell> {
         let mut our_hash = None;
         let cell = |engine: Engine| {
             let mut cell = Cell {
-                distribution,
-                points,
+                subject,
+                size,
                 engine,
                 verdict: Verdict::Right,
                 fresh: Vec::new(),
@@ -129,7 +134,8 @@ impl Plan {
                 .unwrap_or_else(|| self.check(worker, &cell, &mut our_hash));
             cell
         };
-        self.engines.iter().copied().map(cell).collect()
+        let engines = self.engines.iter().copied();
+        engines.filter(|e| e.takes(subject)).map(cell).collect()
     }
 
     fn check(&self, worker: &impl Worker, cell: &Cell, our_hash: &mut Option<String>) -> Verdict {
@@ -173,8 +179,8 @@ impl Plan {
     fn job(&self, cell: &Cell) -> Job {
         Job {
             engine: cell.engine,
-            distribution: cell.distribution,
-            points: cell.points,
+            subject: cell.subject,
+            size: cell.size,
             seed: self.seed,
             repeats: 1,
             verify: false,
@@ -185,8 +191,8 @@ impl Plan {
 fn timed_out_before(cell: &Cell, before: &[Cell]) -> Option<Verdict> {
     let hung = before.iter().find(|other| {
         other.engine == cell.engine
-            && other.distribution == cell.distribution
-            && other.points <= cell.points
+            && other.subject == cell.subject
+            && other.size <= cell.size
             && matches!(other.verdict, Verdict::TimedOut(_))
     });
     hung.map(|other| other.verdict.clone())
@@ -194,14 +200,11 @@ fn timed_out_before(cell: &Cell, before: &[Cell]) -> Option<Verdict> {
 
 /// Judges a verified answer. Whoever names its set of triangles must name the same one.
 fn judge(answer: &Answer, our_hash: &mut Option<String>) -> Verdict {
-    let (Some(run), Some(expected)) = (answer.runs.first(), answer.expected) else {
+    let Some(run) = answer.runs.first() else {
         return failed("no answer", "the check reported nothing");
     };
-    if run.triangles != expected {
-        return Verdict::Wrong {
-            triangles: run.triangles,
-            expected,
-        };
+    if let Some(fault) = answer.expected.and_then(|expected| fault(run, expected)) {
+        return fault;
     }
     match (&run.hash, &*our_hash) {
         (Some(hash), Some(first)) if hash != first => failed(
@@ -214,6 +217,19 @@ fn judge(answer: &Answer, our_hash: &mut Option<String>) -> Verdict {
         }
         _ => Verdict::Right,
     }
+}
+
+fn fault(run: &Run, expected: Expected) -> Option<Verdict> {
+    if run.triangles != expected.triangles {
+        return Some(Verdict::Wrong {
+            triangles: run.triangles,
+            expected: expected.triangles,
+        });
+    }
+    let found = run.constrained?;
+    let wanted = expected.constrained;
+    let message = format!("{found} constrained edges instead of {wanted}");
+    (found != wanted).then(|| failed("segments", &message))
 }
 
 fn failed(how: &str, message: &str) -> Verdict {
@@ -236,11 +252,13 @@ fn runs_or_verdict(outcome: Outcome, verdict: &mut Verdict) -> Vec<Run> {
 #[cfg(test)]
 mod tests {
     use super::{Cell, Plan, Verdict, Worker};
-    use crate::distributions::Distribution;
     use crate::engines::Engine;
+    use crate::expected::Expected;
     use crate::job::{Answer, Job};
     use crate::measure::Run;
     use crate::process::Outcome;
+    use crate::subject::{Subject, Task};
+    use delone_samples::{Distribution, Domain};
     use std::cell::RefCell;
     use std::time::Duration;
 
@@ -263,19 +281,32 @@ mod tests {
             user: 1.0,
             system: 0.0,
             triangles,
+            constrained: None,
             memory: None,
             hash: (job.verify && job.engine.is_ours()).then(|| hash.to_owned()),
         };
         Outcome::Done(Answer {
             runs: vec![run; job.repeats],
-            expected: job.verify.then_some(7),
+            expected: job.verify.then_some(Expected {
+                triangles: 7,
+                constrained: 3,
+            }),
         })
     }
 
     fn carry_out(engines: &[Engine], answer: impl Fn(Job) -> Outcome) -> (Vec<Cell>, Vec<Job>) {
+        carry_out_on(Distribution::Uniform.into(), engines, answer)
+    }
+
+    fn carry_out_on(
+        subject: Subject,
+        engines: &[Engine],
+        answer: impl Fn(Job) -> Outcome,
+    ) -> (Vec<Cell>, Vec<Job>) {
         let plan = Plan {
             engines: engines.to_vec(),
-            distributions: vec![Distribution::Uniform],
+            task: subject.task(),
+            subjects: vec![subject],
             sizes: vec![10, 20],
             seed: 3,
             warmups: 2,
@@ -356,5 +387,31 @@ mod tests {
         let (cells, _) = carry_out(&[ONE, TWO], |job| done(job, 7, &job.engine.to_string()));
         assert_eq!(cells[0].verdict, Verdict::Right);
         assert!(matches!(&cells[1].verdict, Verdict::Failed { how, .. } if how == "differs"));
+    }
+    #[test]
+    fn lost_segments_are_a_failure() {
+        let (cells, _) = carry_out_on(Domain::Coast.into(), &[ONE, Engine::Cdt], |job| {
+            let Outcome::Done(mut answer) = done(job, 7, "h") else {
+                unreachable!("done is done")
+            };
+            answer.runs[0].constrained = job.engine.is_ours().then_some(2);
+            Outcome::Done(answer)
+        });
+        assert!(matches!(&cells[0].verdict, Verdict::Failed { how, .. } if how == "segments"));
+        assert_eq!(cells[1].verdict, Verdict::Right);
+    }
+
+    #[test]
+    fn engines_have_cells_only_where_they_can_work() {
+        let everyone = [ONE, Engine::Spade, Engine::Cdt, Engine::Delaunator];
+        for (domain, expected) in [
+            (Domain::Coast, &everyone[..3]),
+            (Domain::Segments, &everyone[..2]),
+        ] {
+            let (cells, _) = carry_out_on(domain.into(), &everyone, |job| done(job, 7, "h"));
+            let engines = cells[..cells.len() / 2].iter().map(|cell| cell.engine);
+            assert!(engines.eq(expected.iter().copied()), "{domain}");
+        }
+        assert_eq!(Subject::from(Domain::Tangle).task(), Task::Crossings);
     }
 }

@@ -1,7 +1,7 @@
 //! The tables in Markdown, and everything in JSON.
 //!
 //! *Ratio* is the time of ours on one thread over that of the fastest exact peer whose result was
-//! right, on the same points in the same run. A number in brackets after a time is how many
+//! right, on the same input in the same run. A number in brackets after a time is how many
 //! triangles that result has too many or too few.
 
 use crate::engines::Engine;
@@ -9,6 +9,7 @@ use crate::machine::{Machine, version_of};
 use crate::measure::Memory;
 use crate::plan::{Cell, Plan, Verdict};
 use crate::stats::{median, size_name};
+use crate::subject::Task;
 use crate::table::Table;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -22,7 +23,7 @@ pub struct Report {
     pub machine: Machine,
     /// How the program was called.
     pub command: String,
-    /// What came out, grouped by distribution and size, engines in the plan's order.
+    /// What came out, grouped by subject and size, engines in the plan's order.
     pub cells: Vec<Cell>,
 }
 
@@ -38,14 +39,14 @@ enum Figure {
 }
 
 impl Figure {
-    /// Returns the median time a point, nanoseconds.
+    /// Returns the median time a point or segment, nanoseconds.
     fn nanoseconds(self, cell: &Cell) -> Option<f64> {
         let seconds = match self {
             Self::Fresh => median(cell.fresh.iter().map(|run| run.seconds)),
             Self::Repeated => median(cell.repeated.iter().map(|run| run.seconds)),
             Self::Processor => median(cell.fresh.iter().map(|run| run.user + run.system)),
         };
-        Some(seconds? * 1e9 / cell.points as f64)
+        Some(seconds? * 1e9 / cell.size as f64)
     }
 
     fn text(self, cell: &Cell) -> Option<String> {
@@ -91,16 +92,16 @@ impl Report {
             repeats,
             ..
         } = self.plan;
+        let unit = self.plan.task.unit();
         let fresh = format!("each in a fresh process (median of {runs} after {warmups} warm-ups)");
-        self.write_times(out, &format!("ns a point, {fresh}"), Figure::Fresh)?;
+        self.write_times(out, &format!("ns a {unit}, {fresh}"), Figure::Fresh)?;
         if repeats > 0 {
-            let title =
-                format!("ns a point, repeated in one process on new points (median of {repeats})");
-            self.write_times(out, &title, Figure::Repeated)?;
+            let repeated = format!("repeated in one process on new {unit}s (median of {repeats})");
+            self.write_times(out, &format!("ns a {unit}, {repeated}"), Figure::Repeated)?;
         }
-        let title = "Processor time in the fresh processes, user + system, ns a point";
-        self.write_times(out, title, Figure::Processor)?;
-        let title = "Peak memory beyond the input in the fresh processes, bytes a point";
+        let title = format!("Processor time in the fresh processes, user + system, ns a {unit}");
+        self.write_times(out, &title, Figure::Processor)?;
+        let title = format!("Peak memory beyond the input in the fresh processes, bytes a {unit}");
         writeln!(out, "**{title}**\n\n{}", self.memory_table())?;
         self.write_failures(out)
     }
@@ -109,19 +110,11 @@ impl Report {
         writeln!(out, "**{title}**\n\n{}", self.time_table(figure))?;
         let ratios = self
             .groups()
-            .filter_map(|group| Some((ratio(group, figure)?, &group[0])));
+            .filter_map(|group| Some((self.ratio(group, figure)?, &group[0])));
         let largest = ratios.max_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((
-            ratio,
-            Cell {
-                distribution,
-                points,
-                ..
-            },
-        )) = largest
-        {
-            let size = size_name(*points);
-            writeln!(out, "Largest ratio: {ratio:.2} ({distribution} {size}).\n")?;
+        if let Some((ratio, Cell { subject, size, .. })) = largest {
+            let size = size_name(*size);
+            writeln!(out, "Largest ratio: {ratio:.2} ({subject} {size}).\n")?;
         }
         Ok(())
     }
@@ -130,10 +123,12 @@ impl Report {
         let mut table =
             Table::new(["engine", "version", "predicates", "timed"]).with_text_columns(4);
         for engine in &self.plan.engines {
-            let facts = engine.facts();
+            let Some(facts) = engine.facts(self.plan.task) else {
+                continue;
+            };
             table.push(vec![
                 engine.to_string(),
-                version_of(facts.package).to_owned(),
+                version_of(engine.package()).to_owned(),
                 if facts.exact { "exact" } else { "rounded" }.to_owned(),
                 facts.timed.to_owned(),
             ]);
@@ -150,15 +145,18 @@ impl Report {
         let speedups = parallel.iter().map(|e| format!("{e} speed-up"));
         let extra = ["ratio".to_owned(), "to".to_owned()];
         self.table(extra.into_iter().chain(speedups), |group| {
-            let cells = group.iter().map(|cell| marked(cell, figure.text(cell)));
-            let ratio = ratio(group, figure).map(|ratio| format!("{ratio:.2}"));
-            let rival = fastest_exact_peer(group, figure).map(|(engine, _)| engine.to_string());
+            let cells = self.row(group, |cell| figure.text(cell));
+            let ratio = self.ratio(group, figure).map(|ratio| format!("{ratio:.2}"));
+            let rival = self
+                .fastest_exact_peer(group, figure)
+                .map(|(engine, _)| engine.to_string());
             let ours = time_of(group, ONE_THREAD, figure);
             let speedups = parallel.iter().map(|&engine| {
                 let speedup = ours.zip(time_of(group, engine, figure));
                 dash(speedup.map(|(one, many)| format!("{:.2}", one / many)))
             });
             cells
+                .into_iter()
                 .chain([dash(ratio), dash(rival)])
                 .chain(speedups)
                 .collect()
@@ -168,32 +166,40 @@ impl Report {
     fn memory_table(&self) -> Table {
         let extra = ["delone:1 beyond output too", "delone:1 process MB"];
         self.table(extra.map(str::to_owned), |group| {
-            let beyond_input = |cell: &Cell| per_point(cell, Memory::beyond_input);
-            let cells = group.iter().map(|cell| marked(cell, beyond_input(cell)));
+            let cells = self.row(group, |cell| per_unit(cell, Memory::beyond_input));
             let ours = find(group, ONE_THREAD);
-            let working = ours.and_then(|cell| per_point(cell, Memory::beyond_output));
+            let working = ours.and_then(|cell| per_unit(cell, Memory::beyond_output));
             let total = ours.and_then(|cell| memory(cell, |memory| memory.peak));
             let total = total.map(|bytes| format!("{:.0}", bytes / 1e6));
-            cells.chain([dash(working), dash(total)]).collect()
+            let ours = [dash(working), dash(total)];
+            cells.into_iter().chain(ours).collect()
         })
     }
 
-    /// Makes a table of a row a group: its points, and what `columns` says of it.
+    /// Returns a field for each engine, a dash for those that do not take the subject.
+    fn row(&self, group: &[Cell], figure: impl Fn(&Cell) -> Option<String>) -> Vec<String> {
+        let cells = self.plan.engines.iter().map(|&engine| find(group, engine));
+        cells
+            .map(|cell| dash(cell.map(|cell| marked(cell, figure(cell)))))
+            .collect()
+    }
+
+    /// Makes a table of a row a group: its subject and size, and what `columns` says of it.
     fn table(
         &self,
         extra: impl IntoIterator<Item = String>,
         columns: impl Fn(&[Cell]) -> Vec<String>,
     ) -> Table {
         let engines = self.plan.engines.iter().map(Engine::to_string);
-        let names = ["points".to_owned(), "n".to_owned()];
+        let subject = match self.plan.task {
+            Task::Points => "points",
+            Task::Domain | Task::Crossings => "domain",
+        };
+        let names = [subject.to_owned(), "n".to_owned()];
         let mut table = Table::new(names.into_iter().chain(engines).chain(extra));
         for group in self.groups() {
-            let Cell {
-                distribution,
-                points,
-                ..
-            } = group[0];
-            let mut row = vec![distribution.to_string(), size_name(points)];
+            let Cell { subject, size, .. } = group[0];
+            let mut row = vec![subject.to_string(), size_name(size)];
             row.extend(columns(group));
             table.push(row);
         }
@@ -202,7 +208,22 @@ impl Report {
 
     fn groups(&self) -> impl Iterator<Item = &[Cell]> {
         self.cells
-            .chunk_by(|a, b| (a.distribution, a.points) == (b.distribution, b.points))
+            .chunk_by(|a, b| (a.subject, a.size) == (b.subject, b.size))
+    }
+
+    fn ratio(&self, group: &[Cell], figure: Figure) -> Option<f64> {
+        let (_, theirs) = self.fastest_exact_peer(group, figure)?;
+        Some(time_of(group, ONE_THREAD, figure)? / theirs)
+    }
+
+    fn fastest_exact_peer(&self, group: &[Cell], figure: Figure) -> Option<(Engine, f64)> {
+        let is_exact = |engine: Engine| engine.facts(self.plan.task).is_some_and(|f| f.exact);
+        group
+            .iter()
+            .filter(|cell| !cell.engine.is_ours() && is_exact(cell.engine))
+            .filter(|cell| cell.verdict == Verdict::Right)
+            .filter_map(|cell| Some((cell.engine, figure.nanoseconds(cell)?)))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     fn parallel_engines(&self) -> Vec<Engine> {
@@ -215,12 +236,11 @@ impl Report {
     fn write_failures(&self, out: &mut String) -> std::fmt::Result {
         for cell in &self.cells {
             if let Verdict::Failed { how, message } = &cell.verdict {
-                let size = size_name(cell.points);
-                writeln!(
-                    out,
-                    "- {} on {} {size}: {how}: {message}",
-                    cell.engine, cell.distribution
-                )?;
+                let Cell {
+                    engine, subject, ..
+                } = cell;
+                let size = size_name(cell.size);
+                writeln!(out, "- {engine} on {subject} {size}: {how}: {message}")?;
             }
         }
         Ok(())
@@ -234,8 +254,19 @@ impl Report {
             "machine": self.machine,
             "seed": self.plan.seed,
             "warmups": self.plan.warmups,
-            "engines": self.plan.engines.iter().map(engine_json).collect::<Vec<_>>(),
+            "engines": self.plan.engines.iter().map(|e| self.engine_json(*e)).collect::<Vec<_>>(),
             "cells": self.cells.iter().map(cell_json).collect::<Vec<_>>(),
+        })
+    }
+
+    fn engine_json(&self, engine: Engine) -> Value {
+        let facts = engine.facts(self.plan.task);
+        json!({
+            "engine": engine.to_string(),
+            "package": engine.package(),
+            "version": version_of(engine.package()),
+            "exact": facts.map(|facts| facts.exact),
+            "timed": facts.map(|facts| facts.timed),
         })
     }
 }
@@ -250,29 +281,15 @@ fn time_of(group: &[Cell], engine: Engine, figure: Figure) -> Option<f64> {
     figure.nanoseconds(find(group, engine)?)
 }
 
-fn ratio(group: &[Cell], figure: Figure) -> Option<f64> {
-    let (_, theirs) = fastest_exact_peer(group, figure)?;
-    Some(time_of(group, ONE_THREAD, figure)? / theirs)
-}
-
-fn fastest_exact_peer(group: &[Cell], figure: Figure) -> Option<(Engine, f64)> {
-    group
-        .iter()
-        .filter(|cell| !cell.engine.is_ours() && cell.engine.facts().exact)
-        .filter(|cell| cell.verdict == Verdict::Right)
-        .filter_map(|cell| Some((cell.engine, figure.nanoseconds(cell)?)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-}
-
 /// Returns the median of something about the memory of the fresh runs.
 fn memory(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<f64> {
     let known = cell.fresh.iter().filter_map(|run| run.memory.as_ref());
     median(known.map(|memory| bytes(memory) as f64))
 }
 
-fn per_point(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<String> {
+fn per_unit(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<String> {
     let bytes = memory(cell, bytes)?;
-    Some(format!("{:.0}", bytes / cell.points as f64))
+    Some(format!("{:.0}", bytes / cell.size as f64))
 }
 
 fn dash(text: Option<String>) -> String {
@@ -295,21 +312,10 @@ fn marked(cell: &Cell, figure: Option<String>) -> String {
     }
 }
 
-fn engine_json(engine: &Engine) -> Value {
-    let facts = engine.facts();
-    json!({
-        "engine": engine.to_string(),
-        "package": facts.package,
-        "version": version_of(facts.package),
-        "exact": facts.exact,
-        "timed": facts.timed,
-    })
-}
-
 fn cell_json(cell: &Cell) -> Value {
     json!({
-        "distribution": cell.distribution.name(),
-        "points": cell.points,
+        "subject": cell.subject,
+        "size": cell.size,
         "engine": cell.engine.to_string(),
         "verdict": verdict_json(&cell.verdict),
         "fresh": cell.fresh,
@@ -332,11 +338,12 @@ fn verdict_json(verdict: &Verdict) -> Value {
 #[cfg(test)]
 mod tests {
     use super::{ONE_THREAD, Report};
-    use crate::distributions::Distribution;
     use crate::engines::Engine;
     use crate::machine::Machine;
     use crate::measure::{Memory, Run};
     use crate::plan::{Cell, Plan, Verdict};
+    use crate::subject::{Subject, Task};
+    use delone_samples::{Distribution, Domain};
     use std::time::Duration;
 
     const TWO_THREADS: Engine = Engine::Delone { threads: 2 };
@@ -347,6 +354,7 @@ mod tests {
             user: 0.002,
             system: 0.0005,
             triangles: 1990,
+            constrained: None,
             memory: Some(Memory {
                 before: 1_000_000,
                 peak: 1_120_000,
@@ -355,8 +363,8 @@ mod tests {
             hash: None,
         };
         Cell {
-            distribution: Distribution::Gauss,
-            points: 1000,
+            subject: Distribution::Gauss.into(),
+            size: 1000,
             engine,
             verdict,
             fresh: [2.0, 1.0, 0.9].map(run).to_vec(),
@@ -393,7 +401,8 @@ mod tests {
         Report {
             plan: Plan {
                 engines: cells.iter().map(|cell| cell.engine).collect(),
-                distributions: vec![Distribution::Gauss],
+                task: Task::Points,
+                subjects: vec![Distribution::Gauss.into()],
                 sizes: vec![1000],
                 seed: 1,
                 warmups: 2,
@@ -457,5 +466,24 @@ mod tests {
         assert_eq!(json["cells"][0]["fresh"].as_array().map(Vec::len), Some(3));
         assert_eq!(json["cells"][4]["verdict"]["wrong"]["expected"], 1990);
         assert_eq!(json["engines"][3]["exact"], false);
+    }
+    #[test]
+    fn domains_count_segments_and_dash_out_who_does_not_take_them() {
+        let mut report = report();
+        report.plan.task = Task::Domain;
+        report.plan.engines = vec![ONE_THREAD, Engine::Spade, Engine::Cdt];
+        report.plan.subjects = vec![Subject::from(Domain::Segments)];
+        report.cells = [(ONE_THREAD, 100.0), (Engine::Spade, 400.0)]
+            .map(|(engine, time)| Cell {
+                subject: Domain::Segments.into(),
+                ..cell(engine, time, Verdict::Right)
+            })
+            .to_vec();
+        let markdown = report.to_markdown();
+        let row = markdown.lines().find(|line| line.starts_with("| segments"));
+        let fields: Vec<_> = row.unwrap().split('|').map(str::trim).collect();
+        assert_eq!(fields[3..8], ["100", "400", "–", "0.25", "spade"]);
+        assert!(markdown.contains("ns a segment, each in") && markdown.contains("| domain "));
+        assert!(markdown.contains("bulk_load_cdt"));
     }
 }

@@ -1,4 +1,4 @@
-//! The median, and how numbers of points are written.
+//! The median, and how sizes are written.
 
 /// Returns the median (of an even number the mean of the middle two), or `None` of nothing.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
@@ -13,7 +13,7 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     })
 }
 
-/// Writes a number of points as people say it: `10k`, `1M`, `12345`.
+/// Writes a number of points or segments as people say it: `10k`, `1M`, `12345`.
 pub fn size_name(count: usize) -> String {
     match count {
         0 => "0".to_owned(),
@@ -23,7 +23,7 @@ pub fn size_name(count: usize) -> String {
     }
 }
 
-/// Reads a number of points: digits, then perhaps `k` or `M`.
+/// Reads a number of points or segments: digits, then perhaps `k` or `M`.
 ///
 /// # Errors
 /// Says what it could not read.
@@ -37,7 +37,7 @@ pub fn parse_size(text: &str) -> Result<usize, String> {
     };
     let number = digits.parse::<usize>().ok();
     let size = number.and_then(|number| number.checked_mul(unit));
-    size.ok_or_else(|| format!("`{text}` is no number of points; write 5000, 100k or 1M"))
+    size.ok_or_else(|| format!("`{text}` is no size; write 5000, 100k or 1M"))
 }
 
 #[cfg(test)]

@@ -45,12 +45,53 @@ fn one_command_prints_tables_and_writes_json() {
 }
 
 #[test]
-fn profiling_prints_every_run() {
-    let output = bench(&["profile", "line", "1k", "3"]);
+fn domains_have_a_table_of_their_own() {
+    let output = bench(&[
+        "--sizes=200",
+        "--domains=segments,coast",
+        "--peers=spade,cdt,i_triangle,ghx_constrained_delaunay",
+        "--runs=1",
+        "--warmups=0",
+        "--repeats=1",
+    ]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success());
-    assert_eq!(text.lines().count(), 4, "{text}");
-    assert!(text.lines().last().unwrap().starts_with("min "));
+    assert_eq!(text.matches("\n| coast    | 200 |").count(), 4, "{text}");
+    assert_eq!(text.matches("Largest ratio").count(), 3, "{text}");
+    assert!(
+        text.contains("ns a segment") && !text.contains(" on coast"),
+        "{text}"
+    );
+}
+
+#[test]
+fn clean_and_crossing_domains_do_not_mix() {
+    let output = bench(&["--domains=coast,tangle"]);
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(!output.status.success());
+    assert!(complaint.contains("`coast`") && complaint.contains("`tangle`"));
+    assert!(
+        !bench(&["--domains=coast", "--peers=delaunator"])
+            .status
+            .success()
+    );
+    assert!(
+        !bench(&["--domains=coast", "--distributions=grid"])
+            .status
+            .success()
+    );
+}
+
+#[test]
+fn profiling_prints_every_run() {
+    for (subject, unit) in [("line", "ns/point"), ("spiral", "ns/segment")] {
+        let output = bench(&["profile", subject, "1k", "3"]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success());
+        assert_eq!(text.lines().count(), 4, "{text}");
+        let last = text.lines().last().unwrap();
+        assert!(last.starts_with("min ") && last.ends_with(unit), "{last}");
+    }
 }
 
 #[test]
@@ -58,6 +99,7 @@ fn unknown_names_are_refused_with_the_known_ones() {
     for args in [
         ["--peers=qhull"],
         ["--distributions=square"],
+        ["--domains=uniform"],
         ["--threads=0"],
     ] {
         let output = bench(&args);

@@ -283,3 +283,36 @@ fn decimals_are_read_to_the_last_bit() {
         }
     }
 }
+
+/// Cancels at once.
+struct Cancelled;
+
+impl delone::Watch for Cancelled {
+    fn is_cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn reading_can_be_cancelled() {
+    let positions: Vec<_> = (0..5000).map(|i| [i, i * i % 97]).collect();
+    let wkt = positions
+        .iter()
+        .map(|[x, y]| format!("{x} {y}"))
+        .collect::<Vec<_>>();
+    let wkt = format!("LINESTRING({})", wkt.join(","));
+    let geojson = format!(r#"{{"type":"LineString","coordinates":{positions:?}}}"#);
+    for (name, text) in [
+        ("a.wkt", wkt),
+        ("a.geojson", geojson),
+        ("a.poly", SQUARE.to_owned()),
+    ] {
+        assert!(read(name, &text).is_ok(), "{name} but for the watch");
+        let source = Source::Memory {
+            name: name.to_owned(),
+            bytes: text.into(),
+        };
+        let outcome = read_domain(&source, &ReadOptions::default(), &Cancelled);
+        assert!(matches!(outcome, Err(Error::Cancelled)), "{name}");
+    }
+}

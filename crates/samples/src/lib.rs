@@ -5,7 +5,7 @@
 //! Hardwick, Talmor, *Design and implementation of a practical parallel Delaunay algorithm*,
 //! Algorithmica 24 (1999).
 //!
-//! *Cost*: 5–60 ns a point; one allocation, of the points themselves. Domains cost up to 4 µs
+//! *Cost*: 5–60 ns a point; one allocation, of the points themselves. Domains cost up to 1 µs
 //! a segment.
 
 mod domain;

@@ -2,6 +2,7 @@
 
 use super::Contender;
 use delaunator::{Point, Triangulation, triangulate};
+use delone_samples::Drawing;
 
 /// The one function it has.
 pub struct Delaunator;
@@ -10,8 +11,9 @@ impl Contender for Delaunator {
     type Input = Vec<Point>;
     type Output = Triangulation;
 
-    fn prepare(&self, points: Vec<[f64; 2]>) -> Self::Input {
-        points.into_iter().map(|[x, y]| Point { x, y }).collect()
+    fn prepare(&self, drawing: Drawing) -> Self::Input {
+        let points = drawing.points.into_iter();
+        points.map(|[x, y]| Point { x, y }).collect()
     }
 
     fn triangulate(&self, input: &mut Self::Input) -> Result<Self::Output, String> {

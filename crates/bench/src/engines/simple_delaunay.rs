@@ -1,6 +1,7 @@
 //! `simple_delaunay_lib`: incremental insertion with flips, exact predicates, ghosts as we have.
 
 use super::Contender;
+use delone_samples::Drawing;
 use simple_delaunay_lib::delaunay_2d::delaunay_struct_2d::DelaunayStructure2D;
 
 /// Its batch insertion along a Hilbert curve.
@@ -10,8 +11,8 @@ impl Contender for SimpleDelaunay {
     type Input = Vec<[f64; 2]>;
     type Output = DelaunayStructure2D;
 
-    fn prepare(&self, points: Vec<[f64; 2]>) -> Self::Input {
-        points
+    fn prepare(&self, drawing: Drawing) -> Self::Input {
+        drawing.points
     }
 
     fn triangulate(&self, input: &mut Self::Input) -> Result<Self::Output, String> {

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// (n, 2 + attributes) with the markers, if any, as a last column. Pictures show bare points.
 ///
 /// # Errors
-/// As [`write_mesh`].
+/// As [`write_mesh`](crate::write_mesh).
 pub fn write_points(
     targets: &[Target],
     points: &PointSet,

@@ -9,24 +9,29 @@ const NONE: u32 = u32::MAX;
 ///
 /// Each is drawn at random until it meets none of those before; in the end two of three still fit.
 /// Only segments whose midpoints lie closer than the longest length can meet, and those lie in the
-/// nine cells around.
+/// nine cells around. The square is filled strip by strip, so that these stay in the cache, and the
+/// segments are shuffled in the end.
 ///
-/// *Cost*: 1–4 µs a segment, for the memory is visited at random.
+/// *Cost*: 0.5 µs a segment.
 pub fn apart(count: usize, random: &mut Random) -> Drawing {
     let spacing = spacing(count);
-    let mut cells = Cells::new(1.2 * spacing);
+    let strips = (1.0 / (16.0 * spacing)).ceil();
+    // A little wider than the longest segment, for ends are rounded.
+    let mut cells = Cells::new(1.25 * spacing);
     let mut segments: Vec<[[f64; 2]; 2]> = Vec::with_capacity(count);
     while segments.len() < count {
-        let segment = draw_inside(random, [0.2 * spacing, 1.2 * spacing]);
-        let middle = midpoint(segment);
-        if cells
-            .around(middle)
-            .all(|i| !exact::meet(segments[i], segment))
-        {
+        let strip = (segments.len() as f64 * strips / count as f64).floor();
+        let middle = [random.unit(), (strip + random.unit()) / strips];
+        let Some(segment) = draw_inside(middle, [0.2 * spacing, 1.2 * spacing], random) else {
+            continue;
+        };
+        let meets = |i: usize| exact::meet(segments[i], segment);
+        if !cells.around(middle).any(meets) {
             cells.push(middle);
             segments.push(segment);
         }
     }
+    random.shuffle(&mut segments);
     loose(segments)
 }
 
@@ -43,29 +48,29 @@ pub fn across(count: usize, random: &mut Random) -> Drawing {
 pub fn tangled(count: usize, random: &mut Random) -> Drawing {
     let spacing = spacing(count);
     let lengths = [2.0 * spacing, 6.0 * spacing].map(|length| length.min(0.9));
-    loose((0..count).map(|_| draw_inside(random, lengths)).collect())
+    let segments = std::iter::repeat_with(|| {
+        let middle = [random.unit(), random.unit()];
+        draw_inside(middle, lengths, random)
+    });
+    loose(segments.flatten().take(count).collect())
 }
 
 fn spacing(count: usize) -> f64 {
     1.0 / (count.max(1) as f64).sqrt()
 }
 
-/// Draws a segment of random midpoint, direction and length until it lies in the unit square.
-fn draw_inside(random: &mut Random, [shortest, longest]: [f64; 2]) -> [[f64; 2]; 2] {
-    loop {
-        let middle = [random.unit(), random.unit()];
-        let length = random.between(shortest, longest);
-        let half = random.on_circle(length / 2.0);
-        let end = |sign: f64| [0, 1].map(|k| exact::snap(middle[k] + sign * half[k]));
-        let ends = [end(-1.0), end(1.0)];
-        if ends.as_flattened().iter().all(|c| (0.0..1.0).contains(c)) {
-            return ends;
-        }
-    }
-}
-
-fn midpoint([a, b]: [[f64; 2]; 2]) -> [f64; 2] {
-    [0, 1].map(|k| (a[k] + b[k]) / 2.0)
+/// Draws direction and length of a segment about `middle`, unless it reaches out of the unit square.
+fn draw_inside(
+    middle: [f64; 2],
+    [shortest, longest]: [f64; 2],
+    random: &mut Random,
+) -> Option<[[f64; 2]; 2]> {
+    let length = random.between(shortest, longest);
+    let half = random.on_circle(length / 2.0);
+    let end = |sign: f64| [0, 1].map(|k| exact::snap(middle[k] + sign * half[k]));
+    let ends = [end(-1.0), end(1.0)];
+    let inside = ends.as_flattened().iter().all(|c| (0.0..1.0).contains(c));
+    inside.then_some(ends)
 }
 
 /// Square cells over the unit square, each with the list of the midpoints in it.
