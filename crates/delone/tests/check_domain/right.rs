@@ -2,7 +2,7 @@
 
 use crate::claim::{RULES, add_square, crossed, lake, misread, point, right};
 use delone::check::Defect;
-use delone::{DomainRule, Error, Pslg, Seed};
+use delone::{DomainRule, Error, Point, Pslg, Seed, VertexId};
 
 #[test]
 fn accepts_rings_in_rings_under_every_rule() {
@@ -90,6 +90,46 @@ fn accepts_any_one_of_equal_points() {
 }
 
 #[test]
+fn accepts_crossings_that_round_to_points() {
+    // The crossing is a point of the input now, though it lies on neither segment, and what comes
+    // first there is a segment without length.
+    let claim = right(&crossed(), DomainRule::Hull);
+    let mut input = claim.input;
+    let crossing = claim.points.len() as u32 - 1;
+    input.points.push(claim.points[crossing as usize]);
+    input
+        .segments
+        .insert(0, [crossing, crossing].map(VertexId::from));
+    let claim = right(&input, DomainRule::Hull);
+    assert_eq!(claim.numbers().added, 0);
+    assert_eq!(claim.chains[5].len(), 3);
+}
+
+#[test]
+fn accepts_a_chain_that_is_not_the_straight_way() {
+    // Segment 0 is bent to vertex 9 before vertex 10, which lies upon it, comes to be.
+    let steps = [
+        (7, 7),
+        (13, 2),
+        (2, 11),
+        (8, 1),
+        (3, 4),
+        (15, 11),
+        (4, 6),
+        (12, 6),
+    ];
+    let points = steps.map(|(x, y)| {
+        let x = (0..x).fold(500_000.25, |x: f64, _| x.next_up());
+        Point::new(x, (0..y).fold(4_500_000.5, |y: f64, _| y.next_up()))
+    });
+    let mut input = Pslg::from_points(points);
+    for [a, b] in [[5, 0], [7, 2], [3, 4], [4, 3], [4, 5], [6, 3]] {
+        input.add_segment(a, b);
+    }
+    right(&input, DomainRule::Hull).numbers();
+}
+
+#[test]
 fn seeds_on_the_bare_hull_and_on_loose_points_stand_for_what_is_inside() {
     let mut input = Pslg::from_points([(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]);
     input
@@ -125,6 +165,14 @@ fn polygons_are_united_each_by_its_own_parity() {
         (numbers.components, numbers.holes, numbers.carved),
         (4, 1, 0)
     );
+}
+
+#[test]
+fn polygons_must_be_closed_only_where_they_matter() {
+    let mut input = lake();
+    input.polygons.push(0..3);
+    right(&input, DomainRule::Hull).numbers();
+    right(&input, DomainRule::Carve).numbers();
 }
 
 #[test]

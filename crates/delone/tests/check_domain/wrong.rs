@@ -131,6 +131,7 @@ fn rejects_wrong_lineage() {
         chains[4].pop();
     });
     wrong(|chains| chains[4].clear());
+    wrong(|chains| chains[4][0] = 1.into());
     wrong(|chains| chains[4][1] = 77.into());
     wrong(|chains| {
         let last = chains[4][1];

@@ -258,7 +258,7 @@ impl<'a> Finder<'a> {
         Ok(reached)
     }
 
-    /// Puts the steps from a place upon the stack, the best one on top.
+    /// Puts the steps from a place upon the stack.
     fn look_ahead(
         &mut self,
         at: Place,
@@ -266,17 +266,27 @@ impl<'a> Finder<'a> {
         steps: Steps,
         pace: &mut Pace,
     ) -> Result<(), Error> {
+        if steps == Steps::Straight {
+            self.look_straight(at, track);
+            return Ok(());
+        }
+        let star = self.graph.star(at);
+        self.patience = self.patience.saturating_sub(star.len());
+        for &dart in star {
+            pace.step()?;
+            if track.permits(self.graph, dart) {
+                self.ahead.push(dart);
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts the steps next to the direction of a segment upon the stack, the best one on top: all of
+    /// them may be tried, but the first one that comes to a place decides about the chain.
+    fn look_straight(&mut self, at: Place, track: &Track) {
         let graph = self.graph;
         let star = graph.star(at);
         let permitted = |dart: &&Dart| track.permits(graph, **dart);
-        if steps == Steps::All {
-            for dart in star {
-                pace.step()?;
-                self.ahead.extend(Some(*dart).filter(|d| permitted(&d)));
-            }
-            self.patience = self.patience.saturating_sub(star.len());
-            return Ok(());
-        }
         let is_on_line = |place: Place| track.corridor.is_on_line(graph.places.at(place));
         let turn = |dart: &Dart| graph.turn(at, graph.dest(*dart), track.ends[1]);
         let first = star.partition_point(|dart| turn(dart).is_lt());
@@ -285,7 +295,7 @@ impl<'a> Finder<'a> {
             && is_on_line(at)
         {
             self.ahead.push(straight);
-            return Ok(());
+            return;
         }
         let (before, after) = star.split_at(first);
         let counter_clockwise = after.iter().chain(before);
@@ -294,7 +304,6 @@ impl<'a> Finder<'a> {
         self.ahead.extend(counter_clockwise.take_while(permitted));
         self.ahead.extend(clockwise.take_while(permitted));
         self.ahead[new..].sort_by_key(|&dart| is_on_line(graph.dest(dart)));
-        Ok(())
     }
 
     /// Keeps what was found for a segment; one without length passes nothing.

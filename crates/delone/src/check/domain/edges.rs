@@ -73,22 +73,16 @@ pub(super) fn collect(
     Ok((edges, repeated))
 }
 
-/// Lists the edges of the convex hull, from each place on it to the next; none if there is no inside.
+/// Lists the edges of the convex hull, from each place on it to the next; on one line, all twice.
 fn hull(places: &Places, pace: &mut Pace) -> Result<Vec<Edge>, Error> {
     let lower = chain(places, Orientation::Right, pace)?;
     let upper = chain(places, Orientation::Left, pace)?;
-    if lower == upper {
-        return Ok(Vec::new());
-    }
-    let steps = |chain: &[Place]| {
-        let ends = chain.windows(2).map(|step| [step[0], step[1]]);
-        ends.map(|ends| Edge {
-            ends,
-            is_subsegment: false,
-        })
-        .collect::<Vec<_>>()
-    };
-    Ok([steps(&lower), steps(&upper)].concat())
+    let steps = lower.windows(2).chain(upper.windows(2));
+    let edges = steps.map(|step| Edge {
+        ends: [step[0], step[1]],
+        is_subsegment: false,
+    });
+    Ok(edges.collect())
 }
 
 /// Returns the chain from the first place to the last that never turns to the side `forbidden`.

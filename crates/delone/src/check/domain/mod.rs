@@ -24,8 +24,8 @@
 //! *Domain.* By 3 the graph cuts the plane into faces; triangulation plays no part in them. A segment
 //! separates what its chain does, by 4. All rules speak of what cannot be reached, or only by so many
 //! crossings, without crossing segments: of faces. With the hull in the graph that holds for
-//! [`DomainRule::Hull`] too, whose flood from a seed ends at the hull: a part of the hull that no
-//! segment bounds is a face as well, and without inside there is no hull and no face.
+//! [`DomainRule::Hull`] too, whose flood from a seed ends at the hull: what segments leave of the
+//! hull falls into faces. (If all points lie on one line, the hull encloses none.)
 //!
 //! *Cover.* Let p lie on no edge. The number of triangles that contain p is the sum of their winding
 //! numbers around p, in which edges with two triangles cancel. What is left are the half-edges without
