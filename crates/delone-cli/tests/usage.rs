@@ -222,6 +222,23 @@ fn help_and_readme_name_every_key_of_the_json() {
 }
 
 #[test]
+fn help_names_every_key_of_the_json_of_info_and_check() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv --domain hull -o m.ele", 0);
+    for (command, line) in [
+        ("info", "info points.csv --json"),
+        ("check", "check m.ele --json"),
+    ] {
+        let help = folder.run(&format!("{command} --help"), 0).stdout;
+        let (_, help) = help.split_once("The JSON object").expect("a section");
+        let json = folder.run(line, 0).json();
+        for key in json.as_object().expect("an object").keys() {
+            assert!(help.contains(key.as_str()), "{command}: {key}");
+        }
+    }
+}
+
+#[test]
 fn help_and_readme_say_the_same_of_exit_codes() {
     let help = Folder::new().run("--help", 0).stdout;
     let (_, codes) = help.split_once("Exit codes:\n").expect("the codes");
