@@ -44,7 +44,8 @@ The JSON object of --json:
 /// Verifies from the files alone and without trust in whoever made them: every triangle is
 /// counter-clockwise, they cover the convex hull without gap or overlap, no point is missing, and
 /// no circle contains a point; among four points on one circle the diagonal is the canonical one.
-/// Signs are exact for all finite coordinates. The time is linear.
+/// Signs are exact for all finite coordinates. The time is linear,
+/// but for the sorting that --domain needs.
 ///
 /// With --domain: every segment is there as a chain of edges, vertices were added only where segments
 /// cross, and the triangles cover exactly what the rule leaves of the domain.

@@ -15,11 +15,11 @@ use std::path::{Path, PathBuf};
 /// Options about outputs.
 #[derive(clap::Args)]
 pub struct Writing {
-    /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge and .neigh
+    /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge, .neigh, .poly
     #[arg(long)]
     one_based: bool,
     /// Format of outputs whose name does not tell, such as `-`; if every name tells, it overrules
-    /// them all but --picture: node, ele, csv, npy, vtu, svg, png …
+    /// them all but --picture: node, ele, poly, csv, npy, geojson, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
     /// Longer side of pictures, in pixels

@@ -59,10 +59,11 @@ The JSON object of --json:
 pub struct Triangulate {
     /// File of points or of a domain, or `-` for standard input
     input: Option<PathBuf>,
-    /// Mesh to write: .node/.ele (a family of files), .npy, .vtu, .svg, .png, or `-`; repeatable
+    /// Mesh to write: .node/.ele (a family of files), .npy, .vtu, .geojson, .svg, .png, or `-`;
+    /// repeatable
     #[arg(short, long, value_name = "OUT")]
     output: Vec<PathBuf>,
-    /// Picture to write, .svg or .png, coloured by the quality of the triangles
+    /// Picture to write, .svg or .png, coloured by the quality of the triangles, with segments and regions
     #[arg(short, long, value_name = "PIC")]
     picture: Option<PathBuf>,
     /// Print one JSON object with counts, hash, seconds and memory

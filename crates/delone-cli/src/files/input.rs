@@ -17,7 +17,7 @@ pub struct Reading {
     /// Columns of x and y in a table: their names, or their places counted from 1
     #[arg(long, value_name = "X,Y", value_parser = columns)]
     columns: Option<[Column; 2]>,
-    /// Format of the input, whatever its name and content say: node, csv, npy, vtu …
+    /// Format of the input, whatever its name and content say: poly, geojson, wkt, node, csv …
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
 }
