@@ -20,6 +20,9 @@ use tiny_skia::{
 /// Edges or bare points drawn between two looks at the watch.
 const SHAPES_PER_POLL: usize = 2048;
 
+/// Lines from which on their round ends are not worth the time.
+const MANY_LINES: usize = 20_000;
+
 /// Draws a mesh.
 pub(crate) fn write(
     out: &mut Output<'_>,
@@ -66,7 +69,11 @@ pub(crate) fn draw(scene: &Scene<'_>) -> Result<Pixmap, Error> {
         draw_edges(&mut page, scene, &class, INK)?;
     }
     for (lines, color) in scene.segments()? {
-        draw_edges(&mut page, scene, &lines, color)?;
+        if lines.edges.len() > MANY_LINES {
+            draw_many_lines(&mut page, scene, &lines, color)?;
+        } else {
+            draw_edges(&mut page, scene, &lines, color)?;
+        }
     }
     if !scene.is_bare()
         && let Some((dots, radius)) = scene.dots()
@@ -80,6 +87,39 @@ pub(crate) fn draw(scene: &Scene<'_>) -> Result<Pixmap, Error> {
         draw_discs(&mut page, scene, places.into_iter(), inner, PAPER)?;
     }
     Ok(page)
+}
+
+/// Draws lines by the area that they cover: with square ends, but ten times as fast.
+fn draw_many_lines(
+    page: &mut Pixmap,
+    scene: &Scene<'_>,
+    lines: &EdgeClass,
+    color: Color,
+) -> Result<(), Error> {
+    let mut areas = Accumulator::new(scene.view.page);
+    for (i, &line) in lines.edges.iter().enumerate() {
+        if i.is_multiple_of(SHAPES_PER_POLL) {
+            scene.check()?;
+        }
+        areas.add_line(line, lines.width, color);
+    }
+    let color = color.bytes();
+    let width = page.width() as usize;
+    let mut coverage = areas.into_coverage();
+    for row in page.pixels_mut().chunks_mut(width) {
+        scene.check()?;
+        for (pixel, covered) in row.iter_mut().zip(&mut coverage) {
+            let share = covered * lines.opacity;
+            let below = [pixel.red(), pixel.green(), pixel.blue()];
+            let mix = |k: usize| {
+                let [above, below] = [color[k], below[k]].map(f32::from);
+                (below + (above - below) * share).round() as u8
+            };
+            *pixel = PremultipliedColorU8::from_rgba(mix(0), mix(1), mix(2), u8::MAX)
+                .expect("bug: opaque");
+        }
+    }
+    Ok(())
 }
 
 /// Draws the band along the inner side of regions: a line twice as wide, the outer half masked.

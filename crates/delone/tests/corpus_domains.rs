@@ -8,7 +8,7 @@ use delone::{
     hash_triangles,
 };
 use delone_testkit::corpus::{self, Entry, Facts};
-use delone_testkit::domains::{Domain, check_canonical, check_sound};
+use delone_testkit::domains::{Domain, check_canonical, check_naive, check_sound, has_crossing};
 use delone_testkit::generate::{Random, scaled};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -19,6 +19,9 @@ const RULES: [DomainRule; 3] = [DomainRule::Hull, DomainRule::Carve, DomainRule:
 
 /// Beyond this many points the extreme scalings, which need wide arithmetic, take too long here.
 const FEW: usize = 3000;
+
+/// Up to this many points the definitions, which take O(n⁴), are asked too.
+const TINY: usize = 20;
 
 /// The few files of the corpus that are part of the repository.
 const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
@@ -89,6 +92,13 @@ fn every_domain_is_triangulated_whatever_its_order() {
             let domain = domain(&entry, SegmentPolicy::Split, rule);
             let t = verified(&entry.name, &domain);
             let outcome = check_canonical(&domain, &t, 1, &mut random);
+            let outcome = outcome.and_then(|()| {
+                if entry.pslg.points.len() <= TINY {
+                    check_naive(&domain, &t)
+                } else {
+                    Ok(())
+                }
+            });
             outcome.unwrap_or_else(|reason| panic!("{}, {rule:?}: {reason}", entry.name));
         }
     });
@@ -104,7 +114,8 @@ fn clean_files_pass_the_error_policy_and_crossing_ones_are_named() {
         let stated = facts.get(name).map(|facts| facts.crossings > 0);
         match refused {
             Ok(t) => {
-                assert_ne!(stated, Some(true), "{name} has crossings");
+                // Crossings that are stated may all lie in vertices.
+                assert!(stated != Some(true) || !has_crossing(&entry.pslg), "{name}");
                 let split = domain(&entry, SegmentPolicy::Split, DomainRule::Hull);
                 let split = split.triangulate(1).expect("no crossings");
                 assert_eq!(split.num_crossings(), 0, "{name}");
@@ -246,12 +257,15 @@ fn nasty(file: &str) -> Option<Entry> {
     found
 }
 
-/// Expects this many crossings; the error policy refuses them, and passes what has none.
+/// Expects this many vertices where segments cross; the definitions agree, and the error policy
+/// refuses the file if there are some.
 fn assert_crossings(file: &str, crossings: usize) {
     let Some(entry) = nasty(file) else { return };
     for rule in RULES {
-        let t = verified(file, &domain(&entry, SegmentPolicy::Split, rule));
+        let domain = domain(&entry, SegmentPolicy::Split, rule);
+        let t = verified(file, &domain);
         assert_eq!(t.num_crossings(), crossings, "{file}");
+        check_naive(&domain, &t).unwrap_or_else(|reason| panic!("{file}: {reason}"));
     }
     let refused = domain(&entry, SegmentPolicy::Error, DomainRule::Hull).triangulate(1);
     match refused {
@@ -273,19 +287,22 @@ fn assert_triangles(file: &str, expected: [usize; 3]) {
     assert_eq!(RULES.map(count), expected, "{file}");
 }
 
+// A crossing can round to an end of a segment or to another crossing: there are fewer vertices than
+// pairs that cross.
+
 #[test]
 fn spade_crossings_are_split() {
     assert_crossings("spade-107-split", 1);
     assert_crossings("spade-109-split-f32", 1);
     assert_crossings("spade-2151-own-fuzz-panic", 4);
-    assert_crossings("spade-2151-own-fuzz-hang-tilted", 4);
+    assert_crossings("spade-2151-own-fuzz-hang-tilted", 3);
     assert_crossings("spade-98-locate-loop", 0);
 }
 
 #[test]
 fn cgal_crossings_are_split() {
-    assert_crossings("cgal-cdt-degenerate", 3);
-    assert_crossings("cgal-4405", 2);
+    assert_crossings("cgal-cdt-degenerate", 2);
+    assert_crossings("cgal-4405", 1);
     assert_crossings("cgal-3267-ulp", 2);
 }
 
@@ -295,8 +312,8 @@ fn trianglelite_1_merges_its_repeated_segment() {
 }
 
 #[test]
-fn poly2tri_18_crosses_itself_twice() {
-    assert_crossings("poly2tri-18-self-touching", 2);
+fn poly2tri_18_crosses_itself() {
+    assert_crossings("poly2tri-18-self-touching", 1);
 }
 
 #[test]
@@ -322,14 +339,14 @@ fn poly2tri_15_is_a_plain_quadrilateral() {
 #[test]
 fn earcut_holes_touch_rings_and_each_other() {
     // A polygon of n corners with h holes that touch nothing has n + 2h − 2 triangles.
-    assert_triangles("earcut-175-letterP", [17, 14, 14]);
+    assert_triangles("earcut-175-letterP", [20, 18, 14]);
     assert_triangles("earcut-177-touching-holes", [12, 12, 10]);
-    assert_triangles("earcut-129b-touching-holes", [18, 15, 13]);
+    assert_triangles("earcut-129b-touching-holes", [20, 15, 13]);
 }
 
 #[test]
 fn wo80_10_and_libigl_487_are_squares() {
-    assert_triangles("wo80-triangle-10-shared-vertex", [8, 8, 6]);
+    assert_triangles("wo80-triangle-10-shared-vertex", [6, 4, 4]);
     assert_triangles("libigl-487-nested-squares", [8, 8, 8]);
 }
 

@@ -2,6 +2,7 @@
 
 use delone::predicates::{Orientation, cross_properly, crossing_point, is_between, orient2d};
 use delone::{Error, Facts, Point, Pslg, VertexId, Watch};
+use delone_testkit::corpus;
 use delone_testkit::generate::Random;
 use std::collections::BTreeSet;
 
@@ -297,4 +298,74 @@ impl Watch for Impatient {
 fn a_watch_can_cancel() {
     let pslg = lattice(&mut Random::new(1), 9, 9, 9);
     assert_eq!(pslg.facts(1, &Impatient), Err(Error::Cancelled));
+}
+
+#[test]
+fn facts_are_those_stated_of_the_corpus() {
+    let Some(root) = corpus::root() else {
+        println!("no corpus here");
+        return;
+    };
+    let stated = corpus::facts(&root);
+    let mut checked = 0;
+    for (name, stated) in &stated {
+        let Some(entry) = corpus::read(&root, name) else {
+            continue;
+        };
+        let found = facts(&entry.pslg);
+        let mut expected =
+            [stated.crossings, stated.overlaps, stated.on_segments].map(|n| n as u64);
+        if name == "earcut/water-huge2.json" {
+            // The corpus leaves out the points of rings of fewer than three, which we keep, loose.
+            let is_loose = |v| found.loose_points.first.binary_search(v).is_ok();
+            let on = found.on_segments.first.iter();
+            expected[2] += on.filter(|f| is_loose(&f.vertex)).count() as u64;
+        }
+        let [x, o] = [found.crossings.count, found.overlaps.count];
+        let counts = [x, o, found.on_segments.count];
+        assert_eq!(counts, expected, "{name}");
+        checked += 1;
+    }
+    assert!(checked > 100, "{checked} files");
+}
+
+/// The table of nasty files also counts what is doubled.
+#[test]
+fn doubles_are_those_stated_of_nasty_files() {
+    let Some(root) = corpus::root() else {
+        println!("no corpus here");
+        return;
+    };
+    let readme = std::fs::read_to_string(root.join("README.md")).expect("a README");
+    let (_, table) = readme
+        .split_once("## nasty/")
+        .expect("a table of nasty files");
+    let mut doubles = 0;
+    for line in table.lines() {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let Some(&[_, name, _, cell]) = cells.first_chunk() else {
+            continue;
+        };
+        let name = format!("nasty/{name}");
+        if !(name.ends_with(".poly") || name.ends_with(".node")) || name.contains("parser/") {
+            continue;
+        }
+        let entry = corpus::read(&root, &name).expect("a nasty file");
+        let found = facts(&entry.pslg);
+        let stated = |what: &str| {
+            let number = cell.split(", ").find_map(|fact| fact.strip_suffix(what));
+            number.map_or(0, |n| n.trim().parse().expect("a number"))
+        };
+        assert_eq!(found.duplicates.count, stated("duplicate points"), "{name}");
+        assert_eq!(
+            found.zero_length.count,
+            stated("zero-length segs"),
+            "{name}"
+        );
+        assert_eq!(found.repeated.count, stated("repeated segs"), "{name}");
+        assert_eq!(found.crossings.count, stated("crossings"), "{name}");
+        assert_eq!(found.is_collinear, cell == "all collinear", "{name}");
+        doubles += found.duplicates.count + found.zero_length.count + found.repeated.count;
+    }
+    assert!(doubles >= 7, "{doubles} doubles");
 }

@@ -75,10 +75,48 @@ impl Accumulator {
         }
     }
 
+    /// Adds a line of some width, longer by a quarter of it at both ends, so that lines join.
+    pub fn add_line(&mut self, [a, b]: [[f32; 2]; 2], width: f32, color: Color) {
+        let half = width / 2.0;
+        let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+        let length = dx.hypot(dy);
+        let [u, v] = match length > 0.0 {
+            true => [dx / length * half, dy / length * half],
+            false => [half, 0.0],
+        };
+        let corner = |p: [f32; 2], along: f32, across: f32| {
+            [p[0] + along * u - across * v, p[1] + along * v + across * u]
+        };
+        let corners = [
+            corner(a, -0.5, -1.0),
+            corner(a, -0.5, 1.0),
+            corner(b, 0.5, 1.0),
+            corner(b, 0.5, -1.0),
+        ];
+        self.add(&corners, color);
+    }
+
     /// Sums up: the colour of each pixel over the paper, row by row.
     pub fn into_pixels(self) -> impl Iterator<Item = Color> {
-        let (width, stride) = (self.width, self.width + 2);
         let paper = PAPER.to_light();
+        self.into_sums().map(move |[r, g, b, covered]| {
+            // Where polygons overlap, their colours are averaged.
+            let (share, rest) = (1.0 / covered.max(1.0), (1.0 - covered).clamp(0.0, 1.0));
+            let mix = |c: f32, p: f32| c * share + p * rest;
+            let light = [mix(r, paper[0]), mix(g, paper[1]), mix(b, paper[2])];
+            Color::from_light(light)
+        })
+    }
+
+    /// Sums up: the covered share of each pixel, row by row.
+    pub fn into_coverage(self) -> impl Iterator<Item = f32> {
+        self.into_sums()
+            .map(|[.., covered]| covered.clamp(0.0, 1.0))
+    }
+
+    /// Sums up the differences along each row.
+    fn into_sums(self) -> impl Iterator<Item = [f32; 4]> {
+        let (width, stride) = (self.width, self.width + 2);
         let mut sum = [0.0f32; 4];
         (0..stride * self.height).filter_map(move |i| {
             if i % stride == 0 {
@@ -87,12 +125,7 @@ impl Accumulator {
             for (s, d) in sum.iter_mut().zip(self.differences[i]) {
                 *s += d;
             }
-            let [r, g, b, covered] = sum;
-            // Where polygons overlap, their colours are averaged.
-            let (share, rest) = (1.0 / covered.max(1.0), (1.0 - covered).clamp(0.0, 1.0));
-            let mix = |c: f32, p: f32| c * share + p * rest;
-            let light = [mix(r, paper[0]), mix(g, paper[1]), mix(b, paper[2])];
-            (i % stride < width).then(|| Color::from_light(light))
+            (i % stride < width).then_some(sum)
         })
     }
 }
@@ -126,6 +159,26 @@ mod tests {
         let area = ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs() / 2.0;
         let covered: f32 = light(page).into_iter().map(|l| 1.0 - l).sum();
         assert!((covered - area).abs() < 1e-3, "{covered} {area}");
+    }
+
+    #[test]
+    fn lines_cover_their_area_in_every_direction() {
+        let lines = [
+            ([3.0, 2.0], [7.0, 2.0]),
+            ([2.0, 3.0], [2.0, 7.0]),
+            ([3.0, 3.0], [6.0, 7.0]),
+            ([5.0, 5.0], [5.0, 5.0]),
+        ];
+        for (from, to) in lines {
+            for line in [[from, to], [to, from]] {
+                let mut page = Accumulator::new([10.0, 10.0]);
+                page.add_line(line, 2.0, BLACK);
+                let covered: f32 = page.into_coverage().sum();
+                let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                let expected = 2.0 * (length + 1.0);
+                assert!((covered - expected).abs() < 1e-3, "{line:?}: {covered}");
+            }
+        }
     }
 
     #[test]

@@ -18,7 +18,7 @@ use super::boxes::BoxTree;
 use super::meeting::{Ends, Meeting, meet};
 use super::noding::Noding;
 use super::pieces::Pieces;
-use super::search::{Pace, Sweep, tree_of, tree_of_points};
+use super::search::{Query, Sweep, tree_of, tree_of_points};
 use super::vertices::{Index, Vertices};
 use crate::parallel::Workers;
 use crate::predicates::{Orientation, construct_crossing, orient2d, passes};
@@ -77,23 +77,27 @@ struct Crossing {
 }
 
 impl<'a> Rounds<'a> {
+    /// Merges equal segments and packs them; `None` if the watch cancelled.
     pub fn new(
         points: &'a [Point],
         list: &'a [VertexId],
         segments: &'a [[VertexId; 2]],
         workers: Workers,
         watch: &'a dyn Watch,
-    ) -> Self {
+    ) -> Option<Self> {
+        let go_on = || (!watch.is_cancelled()).then_some(());
         let vertices = Vertices::new(points);
         let mut pieces = Pieces::default();
         let input = segments.iter().zip(0..);
         let input = input.map(|(&ends, i)| (vertices.sorted(ends.map(VertexId::raw)), i));
         let roots = pieces.intern(input, vertices.len());
+        go_on()?;
         let loose = loose_vertices(points.len(), list, segments);
         let loose = tree_of_points(&vertices, &loose, workers);
+        go_on()?;
         let all: Vec<u32> = (0..pieces.len() as u32).collect();
         let layers = vec![tree_of(&vertices, &all, &pieces.ends, workers)];
-        Self {
+        Some(Self {
             vertices,
             list,
             pieces,
@@ -108,7 +112,7 @@ impl<'a> Rounds<'a> {
             done: 0,
             workers,
             watch,
-        }
+        })
     }
 
     /// Makes one round; true if something was cut, `None` if the watch cancelled.
@@ -118,6 +122,9 @@ impl<'a> Rounds<'a> {
         self.place(crossings, &mut cuts)?;
         if cuts.is_empty() {
             return Some(false);
+        }
+        if self.watch.is_cancelled() {
+            return None;
         }
         if self.is_cascade() {
             self.snap(known, &mut cuts)?;
@@ -151,16 +158,16 @@ impl<'a> Rounds<'a> {
         hot.dedup();
         let hot = tree_of_points(&self.vertices, &hot, self.workers);
         let sweep = self.sweep();
-        let at_hot = sweep.leaves(&hot, |leaf, pace, cuts: &mut Vec<Cut>| {
+        let at_hot = sweep.leaves(&hot, |leaf, query, cuts: &mut Vec<Cut>| {
             self.layers.iter().all(|layer| {
-                hot.pairs_with(leaf, layer, &mut pace.stack, |v, s| {
+                hot.pairs_with(leaf, layer, &mut query.stack, |v, s| {
                     self.snap_to(s, v, cuts);
-                    pace.ticks.step()
+                    query.ticks.step()
                 })
             })
         })?;
-        let at_old = sweep.leaves(new, |leaf, pace, cuts: &mut Vec<Cut>| {
-            let Pace { stack, ticks } = pace;
+        let at_old = sweep.leaves(new, |leaf, query, cuts: &mut Vec<Cut>| {
+            let Query { stack, ticks } = query;
             old.iter().all(|layer| {
                 new.pairs_with(leaf, layer, stack, |s, t| {
                     for v in self.pieces.ends[t as usize] {
@@ -187,8 +194,8 @@ impl<'a> Rounds<'a> {
     /// Finds everything that must be cut, among pairs with a new member.
     fn search(&mut self) -> Option<(Vec<Cut>, Vec<Crossing>)> {
         let (new, old) = self.layers.split_last().expect("bug: no layer");
-        let found = self.sweep().leaves(new, |leaf, pace, found: &mut Found| {
-            self.search_leaf(new, old, leaf, pace, found)
+        let found = self.sweep().leaves(new, |leaf, query, found: &mut Found| {
+            self.search_leaf(new, old, leaf, query, found)
         })?;
         self.done += new.num_leaves() as u64;
         let (mut cuts, mut crossings) = (Vec::new(), Vec::new());
@@ -212,10 +219,10 @@ impl<'a> Rounds<'a> {
         new: &BoxTree,
         old: &[BoxTree],
         leaf: usize,
-        pace: &mut Pace,
+        query: &mut Query,
         found: &mut Found,
     ) -> bool {
-        let Pace { stack, ticks } = pace;
+        let Query { stack, ticks } = query;
         let mut is_going_on = new.pairs(leaf, stack, |s, t| {
             self.look([s, t], found);
             ticks.step()

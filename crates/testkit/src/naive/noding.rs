@@ -2,13 +2,14 @@
 //!
 //! In each round every pair of pieces is tried, O(m²), and every vertex against every piece. All
 //! cuts of a round are found before any is made; a crossing is an exact rational point, rounded to
-//! the nearest `f64` in each coordinate.
+//! the nearest `f64` in each coordinate. If rounds add too many vertices, pieces are also cut at
+//! vertices that they pass up to rounding, where a new piece or vertex takes part.
 
 use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
 use dashu_ratio::RBig;
 use delone::{Point, VertexId};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Into what segments have been cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,24 +29,68 @@ impl NaiveNoding {
     }
 }
 
+/// After so many rounds, pieces are cut at what they pass up to rounding.
+const EXACT_ROUNDS: usize = 12;
+
+/// And so they are if there are more added vertices than this, given how many the first round added.
+fn most_added(first: usize) -> usize {
+    4 * first + 64
+}
+
 /// Cuts segments until they meet only at shared ends. Coordinates must be finite.
 pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding {
-    let mut places: BTreeMap<_, _> = points.iter().map(|&p| (bits(p), p)).collect();
+    let mut places: Places = points.iter().map(|&p| (bits(p), p)).collect();
+    let num_input = places.len();
     let ends = segments.iter().map(|s| s.map(|v| points[v.index()]));
     let mut lines: Vec<Vec<Point>> = ends.map(|[a, b]| [a, b].to_vec()).collect();
     lines.iter_mut().for_each(|line| line.dedup());
-    loop {
+    let mut before = BTreeMap::new();
+    let mut added_first = 0;
+    for number in 0.. {
         let pieces = pieces(&lines);
-        let cuts: BTreeMap<_, _> = pieces
+        let crossings = crossings(&pieces);
+        let known = places.clone();
+        places.extend(crossings.values().flatten().map(|&p| (bits(p), p)));
+        let exact = |key, piece| {
+            let crossings = crossings.get(key).into_iter().flatten();
+            let on_it = known.values().filter(|&&p| is_inside(piece, p));
+            on_it.chain(crossings).copied().collect::<Vec<_>>()
+        };
+        let mut stops: BTreeMap<Key, Vec<Point>> = pieces
             .iter()
-            .map(|(&key, &piece)| (key, cut(piece, places.values(), pieces.values())))
+            .map(|(key, &piece)| (*key, exact(key, piece)))
             .collect();
-        if cuts.values().all(|line| line.len() == 2) {
+        if pieces
+            .iter()
+            .all(|(key, &[a, b])| stops[key].iter().all(|&p| p == a || p == b))
+        {
             return numbered(points, places, &lines);
         }
-        places.extend(cuts.values().flatten().map(|&p| (bits(p), p)));
+        let added = places.len() - num_input;
+        if number >= EXACT_ROUNDS || (number > 0 && added > most_added(added_first)) {
+            let new = |key: &Key| !before.contains_key(key);
+            let ends = pieces.keys().filter(|key| new(key)).flatten().copied();
+            let added = places.keys().filter(|p| !known.contains_key(*p)).copied();
+            let hot: BTreeSet<_> = ends.chain(added).collect();
+            for (key, &piece) in &pieces {
+                let meets = |(place, p): &(&[u64; 2], &Point)| {
+                    (new(key) || hot.contains(*place)) && passes(piece, **p)
+                };
+                let passed = places.iter().filter(meets).map(|(_, &p)| p);
+                stops.get_mut(key).expect("a piece").extend(passed);
+            }
+        }
+        if number == 0 {
+            added_first = added;
+        }
+        let cuts = pieces
+            .iter()
+            .map(|(key, &piece)| (*key, through(piece, &stops[key])));
+        let cuts = cuts.collect();
         lines = lines.iter().map(|line| replaced(line, &cuts)).collect();
+        before = pieces;
     }
+    unreachable!("chains cannot be refined for ever")
 }
 
 /// Finds the lexicographically first pair of segments that cross in a point that is no vertex, and
@@ -66,6 +111,7 @@ pub fn naive_first_crossing(
 }
 
 type Key = [[u64; 2]; 2];
+type Places = BTreeMap<[u64; 2], Point>;
 
 /// The pieces that lines consist of, each once and in one direction.
 fn pieces(lines: &[Vec<Point>]) -> BTreeMap<Key, Ends> {
@@ -82,32 +128,49 @@ fn forward([a, b]: Ends) -> Ends {
     }
 }
 
-/// Returns the points along a piece: its ends, the vertices in it, and its crossings, rounded.
-fn cut<'a>(
-    piece: Ends,
-    places: impl Iterator<Item = &'a Point>,
-    pieces: impl Iterator<Item = &'a Ends>,
-) -> Vec<Point> {
-    let on_it = places.filter(|&&p| is_inside(piece, p));
-    let crossed = pieces.filter(|&&other| cross(piece, other));
-    let crossings = crossed.map(|&other| canonical_crossing(piece, other));
-    let mut stops: Vec<_> = on_it.map(|&p| exact(p)).chain(crossings).collect();
-    // Pieces run forward: by x, then y.
-    stops.sort();
-    let mut line = vec![piece[0]];
-    line.extend(stops.iter().map(rounded));
-    line.push(piece[1]);
-    line.dedup();
-    line
+/// Lists for each piece where others cross it, rounded.
+fn crossings(pieces: &BTreeMap<Key, Ends>) -> BTreeMap<Key, Vec<Point>> {
+    let mut crossings: BTreeMap<Key, Vec<Point>> = BTreeMap::new();
+    let all: Vec<_> = pieces.iter().collect();
+    for (i, &(key, &piece)) in all.iter().enumerate() {
+        for &(other_key, &other) in all[i + 1..]
+            .iter()
+            .filter(|(_, other)| cross(piece, **other))
+        {
+            let at = rounded(&crossing(piece, other));
+            crossings.entry(*key).or_default().push(at);
+            crossings.entry(*other_key).or_default().push(at);
+        }
+    }
+    crossings
 }
 
-/// The crossing of two pieces, the same for both of them.
-fn canonical_crossing(s: Ends, t: Ends) -> [RBig; 2] {
-    if s.map(bits) < t.map(bits) {
-        crossing(s, t)
-    } else {
-        crossing(t, s)
+/// Tells whether the point of a segment with the abscissa of `p`, or that with its ordinate, rounds
+/// to `p`; ends do not count.
+fn passes([a, b]: Ends, p: Point) -> bool {
+    let is_between = |c: f64, a: f64, b: f64| a.min(b) <= c && c <= a.max(b);
+    if p == a || p == b || !is_between(p.x, a.x, b.x) || !is_between(p.y, a.y, b.y) {
+        return false;
     }
+    let [from, to, at] = [a, b, p].map(exact);
+    let along = minus(&to, &from);
+    let on_line = |axis: usize| {
+        let share = (&at[axis] - &from[axis]) / &along[axis];
+        let [x, y] = [0, 1].map(|k| &from[k] + &along[k] * &share);
+        rounded(&[x, y]) == p
+    };
+    (0..2).any(|axis| along[axis] == RBig::ZERO || on_line(axis))
+}
+
+/// Orders points along a piece, ends included. As rounding is monotone, they follow each other in x,
+/// and then in y, as they do on the piece.
+fn through([a, b]: Ends, stops: &[Point]) -> Vec<Point> {
+    let mut line = stops.to_vec();
+    let upright = |p: Point| Point::new(p.x, if b.y < a.y { -p.y } else { p.y });
+    line.extend([a, b]);
+    line.sort_by(|&p, &q| upright(p).lex_cmp(&upright(q)));
+    line.dedup();
+    line
 }
 
 /// The exact point where two segments cross properly.
@@ -155,11 +218,7 @@ fn replaced(line: &[Point], cuts: &BTreeMap<Key, Vec<Point>>) -> Vec<Point> {
 }
 
 /// Numbers the added points, and turns lines into chains.
-fn numbered(
-    points: &[Point],
-    mut places: BTreeMap<[u64; 2], Point>,
-    lines: &[Vec<Point>],
-) -> NaiveNoding {
+fn numbered(points: &[Point], mut places: Places, lines: &[Vec<Point>]) -> NaiveNoding {
     let mut ids = BTreeMap::new();
     for (i, &p) in points.iter().enumerate() {
         places.remove(&bits(p));
