@@ -1,14 +1,18 @@
-//! `delone check`: is this the Delaunay triangulation of its points? From the files alone.
+//! `delone check`: is this the Delaunay triangulation of its points, or of a domain? From the files
+//! alone.
 
+mod drawing;
 mod presence;
 mod report;
 
+use crate::domain::Rule;
 use crate::exit::Failure;
 use crate::files::{self, Reading};
 use crate::progress::Progress;
 use crate::timing::timed;
 use delone::check::verify;
 use delone_io::{Format, MeshData, Source};
+use drawing::Drawing;
 use presence::Absences;
 use report::Report;
 use std::collections::BTreeSet;
@@ -18,6 +22,7 @@ const EXAMPLES: &str = "\
 Examples:
   delone check mesh.ele                      reads mesh.node and mesh.ele
   delone check mesh.ele --points survey.csv  and is every point of survey.csv in it?
+  delone check mesh.ele --domain map.poly    is it the triangulation of that domain?
   delone check a.ele b.vtu --json            one JSON object a line
   delone check mesh.ele && echo trustworthy  the exit code tells: 0 right, 1 wrong";
 
@@ -27,6 +32,8 @@ The JSON object of --json:
   points, vertices, duplicates, triangles, edges, hull_edges, hash
                    counts and name; all but points and triangles are null if it is wrong
   proven           what has been proven, clause by clause; empty if it is wrong
+  domain           null without --domain; else its file and rule, and if the mesh is right the
+                   numbers of added vertices, points carved away, subsegments, components, holes
   defects          their total, and the first few of each kind in words
   quality          angles in degrees, lengths in units of the coordinates (rounded numbers)
   seconds          wall time of the phases read and check
@@ -37,7 +44,11 @@ The JSON object of --json:
 /// Verifies from the files alone and without trust in whoever made them: every triangle is
 /// counter-clockwise, they cover the convex hull without gap or overlap, no point is missing, and
 /// no circle contains a point; among four points on one circle the diagonal is the canonical one.
-/// Signs are exact for all finite coordinates. The time is linear.
+/// Signs are exact for all finite coordinates. The time is linear,
+/// but for the sorting that --domain needs.
+///
+/// With --domain: every segment is there as a chain of edges, vertices were added only where segments
+/// cross, and the triangles cover exactly what the rule leaves of the domain.
 ///
 /// Of several files all are checked, even if some cannot be read; the exit code is then 3, and 1 if
 /// all can be read but some are wrong.
@@ -50,6 +61,12 @@ pub struct Check {
     /// Also require that the vertices are the points of this file, in any order
     #[arg(long, value_name = "FILE")]
     points: Option<PathBuf>,
+    /// Check against the domain of this file: .poly, GeoJSON, WKT …
+    #[arg(long, value_name = "FILE", conflicts_with = "points")]
+    domain: Option<PathBuf>,
+    /// Which triangles should be there [default: as for `triangulate`]
+    #[arg(long, value_enum, value_name = "RULE", requires = "domain")]
+    rule: Option<Rule>,
     /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
@@ -86,9 +103,13 @@ impl Check {
 
     fn require_one_reader_of_stdin(&self) -> Result<(), Failure> {
         let is_stdin = |file: &PathBuf| file == Path::new("-");
-        if self.points.as_ref().is_some_and(is_stdin) && self.files.iter().any(is_stdin) {
-            let twice = "mesh and --points both want standard input; name a file for one";
-            return Err(Failure::Usage(twice.to_owned()));
+        let others = [("--points", &self.points), ("--domain", &self.domain)];
+        for (option, file) in others {
+            if file.as_ref().is_some_and(is_stdin) && self.files.iter().any(is_stdin) {
+                return Err(Failure::Usage(format!(
+                    "mesh and {option} both want standard input; name a file for one"
+                )));
+            }
         }
         Ok(())
     }
@@ -96,21 +117,34 @@ impl Check {
     fn check(&self, file: &Path, quiet: bool) -> Result<Report, Failure> {
         let source = Source::from_arg(file);
         let progress = Progress::new(quiet);
-        let (mesh, read) = timed(|| self.reading.mesh(&source, &progress))?;
+        let ((mesh, drawing), read) = timed(|| {
+            let mesh = self.reading.mesh(&source, &progress)?;
+            Ok((mesh, self.drawing(&progress)?))
+        })?;
         let ((verdict, absences), check) = timed(|| {
-            let points = &mesh.vertices.points;
-            let verdict = verify(points, &mesh.triangles, &progress)
-                .map_err(|error| failure(&source, error))?;
+            let verdict = match &drawing {
+                Some(drawing) => drawing.verify(&mesh, &progress)?,
+                None => verify(&mesh.vertices.points, &mesh.triangles, &progress)
+                    .map_err(|error| failure(&source, error))?,
+            };
             Ok((verdict, self.absences(&mesh, &progress)?))
         })?;
         progress.finish();
-        Ok(Report::new(
-            &source,
-            &mesh,
-            verdict,
-            absences,
-            [read, check],
-        ))
+        let report = Report::new(&source, &mesh, verdict, absences, [read, check]);
+        Ok(match drawing {
+            Some(drawing) => report.against(&drawing),
+            None => report,
+        })
+    }
+
+    /// Reads the domain, if one is named.
+    fn drawing(&self, progress: &Progress) -> Result<Option<Drawing>, Failure> {
+        let read = |file: &PathBuf| {
+            let source = Source::from_arg(file);
+            let domain = self.reading.of_another_file().domain(&source, progress)?;
+            Ok(Drawing::new(&source, domain, self.rule))
+        };
+        self.domain.as_ref().map(read).transpose()
     }
 
     fn absences(&self, mesh: &MeshData, progress: &Progress) -> Result<Absences, Failure> {

@@ -1,24 +1,26 @@
-//! `delone convert`: the same points or mesh in another format.
+//! `delone convert`: the same points, domain or mesh in another format.
 
 use crate::exit::Failure;
 use crate::files::{Content, Input, Outputs, Reading, Writing};
 use crate::progress::Progress;
-use crate::words::{counted, list};
+use crate::words::{self, counted, list};
 use delone_io::{Format, MeshView};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
   delone convert points.csv points.npy             points
+  delone convert map.geojson map.poly              points and segments
   delone convert mesh.ele mesh.vtu                 mesh.node and mesh.ele, for ParaView
   delone convert mesh.ele mesh.png --size 3000     a picture, 3000 pixels wide or high
   delone convert mesh.vtu mesh.ele --one-based     numbered from 1
   delone convert - points.node --from csv          from standard input";
 
-/// Convert points or a mesh from one format to another
+/// Convert points, a domain or a mesh from one format to another
 ///
 /// If the input holds triangles (.ele, .vtu, .npy with .points.npy beside it) and the output can,
-/// they come along; otherwise points are converted. Nothing is triangulated and nothing is checked.
+/// they come along; so do the segments of a domain (.poly, GeoJSON, WKT). Otherwise points are
+/// converted. Nothing is triangulated and nothing is checked.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
 pub struct Convert {
@@ -26,7 +28,7 @@ pub struct Convert {
     input: PathBuf,
     /// File to write, or `-` for standard output (with --to)
     output: PathBuf,
-    /// Convert the points alone, even if there are triangles
+    /// Convert the points alone, even if there are triangles or segments
     #[arg(long)]
     points: bool,
     #[command(flatten)]
@@ -39,12 +41,16 @@ impl Convert {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         // A name that will not do is refused before anything is read.
-        self.outputs(Content::Either)?;
+        self.outputs(Content::Any)?;
         let input = self.reading.open(&self.input)?;
         let progress = Progress::new(quiet);
-        let brings_mesh = !self.points && input.brings_triangles();
-        let (written, what) = if brings_mesh && self.takes_triangles() {
+        let takes = |can: fn(Format) -> bool| {
+            !self.points && self.writing.format(&self.output).is_none_or(can)
+        };
+        let (written, what) = if input.brings_triangles() && takes(Format::writes_mesh) {
             self.convert_mesh(&input, &progress)?
+        } else if input.brings_segments() && takes(Format::writes_segments) {
+            self.convert_domain(&input, &progress)?
         } else {
             self.convert_points(&input, &progress)?
         };
@@ -72,6 +78,19 @@ impl Convert {
         Ok((written, format!("{points} and {triangles}")))
     }
 
+    fn convert_domain(
+        &self,
+        input: &Input,
+        progress: &Progress,
+    ) -> Result<(Vec<PathBuf>, String), Failure> {
+        let outputs = self.outputs(Content::Domain)?;
+        outputs.spare(input)?;
+        let (mut domain, unused) = input.domain(progress)?;
+        progress.note(&unused);
+        let written = self.writing.domain(&outputs, &domain, progress)?;
+        Ok((written, words::domain(&domain.take_pslg())))
+    }
+
     fn convert_points(
         &self,
         input: &Input,
@@ -89,12 +108,6 @@ impl Convert {
 
     fn outputs(&self, content: Content) -> Result<Outputs, Failure> {
         self.writing.outputs([(self.output.clone(), content)])
-    }
-
-    fn takes_triangles(&self) -> bool {
-        self.writing
-            .format(&self.output)
-            .is_none_or(Format::writes_mesh)
     }
 
     fn require_no_triangles(&self) -> Result<(), Failure> {

@@ -6,7 +6,7 @@ mod input;
 use crate::exit::Failure;
 use crate::progress::Progress;
 use delone_io::{
-    Attribute, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
+    Attribute, DomainData, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
 };
 use family::Member;
 pub use input::{Input, Reading};
@@ -15,11 +15,11 @@ use std::path::{Path, PathBuf};
 /// Options about outputs.
 #[derive(clap::Args)]
 pub struct Writing {
-    /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge and .neigh
+    /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge, .neigh, .poly
     #[arg(long)]
     one_based: bool,
     /// Format of outputs whose name does not tell, such as `-`; if every name tells, it overrules
-    /// them all but --picture: node, ele, csv, npy, vtu, svg, png …
+    /// them all but --picture: node, ele, poly, csv, npy, geojson, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
     /// Longer side of pictures, in pixels
@@ -85,19 +85,12 @@ impl Outputs {
     }
 
     fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
-        let refusal = match format {
-            _ if self.stream.is_some() => {
-                "only one output can go to standard output; give the others a name"
-            }
-            Format::Poly => {
-                "standard output takes one file, and no .poly is written: use node or ele"
-            }
-            _ => {
-                self.stream = Some(Target::from_arg("-", Some(format)));
-                return Ok(());
-            }
-        };
-        Err(Failure::Usage(refusal.to_owned()))
+        if self.stream.is_some() {
+            let twice = "only one output can go to standard output; give the others a name";
+            return Err(Failure::Usage(twice.to_owned()));
+        }
+        self.stream = Some(Target::from_arg("-", Some(format)));
+        Ok(())
     }
 }
 
@@ -106,10 +99,12 @@ impl Outputs {
 pub enum Content {
     /// Points alone.
     Points,
+    /// Points and segments, holes and regions.
+    Domain,
     /// Points and triangles.
     Mesh,
-    /// Points or a mesh, as the input will tell.
-    Either,
+    /// Points, a domain or a mesh, as the input will tell.
+    Any,
     /// A picture.
     Picture,
 }
@@ -118,8 +113,9 @@ impl Content {
     fn fits(self, format: Format) -> bool {
         match self {
             Self::Points => format.writes_points(),
+            Self::Domain => format.writes_segments(),
             Self::Mesh => format.writes_mesh(),
-            Self::Either => format.writes_points() || format.writes_mesh(),
+            Self::Any => format.writes_points() || format.writes_segments() || format.writes_mesh(),
             Self::Picture => format.is_picture(),
         }
     }
@@ -127,8 +123,9 @@ impl Content {
     fn name(self) -> &'static str {
         match self {
             Self::Points => "points",
+            Self::Domain => "a domain",
             Self::Mesh => "a mesh",
-            Self::Either => "points or a mesh",
+            Self::Any => "points or a mesh",
             Self::Picture => "a picture",
         }
     }
@@ -228,6 +225,19 @@ impl Writing {
         })
     }
 
+    /// Writes a domain and returns the names of the files.
+    pub fn domain(
+        &self,
+        outputs: &Outputs,
+        domain: &DomainData,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = self.options();
+        write(outputs, |targets| {
+            delone_io::write_domain(targets, domain, &options, progress)
+        })
+    }
+
     fn options(&self) -> WriteOptions {
         WriteOptions {
             one_based: self.one_based,
@@ -263,7 +273,8 @@ fn unreadable(error: Error) -> Failure {
     }
 }
 
-fn unwritable(error: Error) -> Failure {
+/// Says why something could not be written.
+pub fn unwritable(error: Error) -> Failure {
     match error {
         Error::Cancelled => Failure::Cancelled,
         Error::Io { file, source, .. }

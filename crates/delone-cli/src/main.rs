@@ -1,14 +1,18 @@
-//! The program `delone`: points in, a checked triangulation and its picture out.
+//! The program `delone`: points and segments in, a checked triangulation and its picture out.
 
 mod check;
 mod cli;
 mod convert;
+mod domain;
 mod exit;
 mod files;
+mod info;
 mod interrupt;
 mod memory;
+mod numbering;
 mod progress;
 mod sample;
+mod stopwatch;
 mod timing;
 mod triangulate;
 mod words;

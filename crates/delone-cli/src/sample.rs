@@ -1,27 +1,23 @@
-//! `delone sample`: points to try things on, embedded or generated.
+//! `delone sample`: points and domains to try things on, embedded, drawn or generated.
+
+mod grid;
+mod lake;
+mod scene;
+mod thesis;
+
+pub use scene::Scene;
 
 use crate::exit::Failure;
-use crate::files::{self, Content, Input, Writing};
+use crate::files::{self, Content, Input, Outputs, Writing};
 use crate::progress::Progress;
 use crate::words::{self, counted, list};
-use delone::Point;
-use delone_io::{Format, PointSet, ReadOptions, Source};
-use delone_samples::Distribution;
+use delone::{Point, Pslg, VertexId};
+use delone_io::{DomainData, Format, PointSet, ReadOptions, Source};
+use delone_samples::{Distribution, Domain, Drawing};
 use std::path::PathBuf;
 
-/// The name of the embedded sample.
-pub const EMBEDDED: &str = "populated-places";
-
-/// What the embedded sample is.
-pub const ABOUT: &str = "\
-populated-places: 1249 places of the world by longitude and latitude, embedded in this program
-(made with Natural Earth, public domain, naturalearthdata.com)";
-
-/// What to do after the first try.
-pub const NEXT: &str = "\
-Next: open populated-places.png, or let the result be verified from its files alone:
-  delone check populated-places.ele
-Your own points: delone triangulate points.csv -o mesh.ele --picture mesh.png";
+/// The name of the embedded points.
+const EMBEDDED: &str = "populated-places";
 
 /// The most points that a triangulation takes: 32 bits number its half-edges, six for a point.
 const MAX_POINTS: usize = (u32::MAX / 6) as usize;
@@ -31,23 +27,26 @@ const CSV: &[u8] = include_bytes!("../samples/populated-places.csv");
 const EXAMPLES: &str = "\
 Examples:
   delone sample                                    list them
+  delone sample lake -o lake.poly                  points, segments, holes and regions
+  delone sample coast -n 10000 | delone triangulate - --from poly --picture coast.png
   delone sample populated-places -o cities.csv     longitude, latitude, population
   delone sample uniform -n 1000000 --seed 7 -o points.npy
   delone sample tilted-grid -n 3600 | delone triangulate - --json";
 
-/// List and write samples: embedded ones, and generated ones for tests and benchmarks
+/// List and write samples: points and domains, embedded, drawn, or generated for benchmarks
 ///
-/// The same name, count and seed give the same points, bit for bit, on every machine.
+/// The same name, count and seed give the same coordinates, bit for bit, on every machine.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
 pub struct Sample {
     /// Name of the sample; without it the samples are listed
     #[arg(value_parser = name)]
     name: Option<Name>,
-    /// File to write (.csv, .xyz, .npy, .node, .vtu, .svg, .png); by default CSV on standard output
+    /// File to write: points to .csv, .xyz, .npy, .node, .vtu, .svg or .png, domains to .poly or
+    /// .geojson; by default CSV or .poly on standard output
     #[arg(short, long, value_name = "OUT", requires = "name")]
     output: Vec<PathBuf>,
-    /// Number of points to generate
+    /// Number of points or segments to generate
     #[arg(short = 'n', long, default_value_t = 1000, value_parser = clap::value_parser!(u32))]
     count: u32,
     /// Seed of the random numbers
@@ -60,21 +59,30 @@ pub struct Sample {
 /// A sample that can be had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Name {
+    /// The embedded points.
     Embedded,
-    Generated(Distribution),
+    /// Points of any number.
+    Points(Distribution),
+    /// A domain of one size.
+    Scene(Scene),
+    /// A domain of any size.
+    Domain(Domain),
 }
 
 fn name(text: &str) -> Result<Name, String> {
     if text == EMBEDDED {
         return Ok(Name::Embedded);
     }
-    text.parse()
-        .map(Name::Generated)
-        .map_err(|_| "no such sample; `delone sample` lists them".to_owned())
+    let points = || text.parse().map(Name::Points).ok();
+    let domain = || text.parse().map(Name::Domain).ok();
+    let mut scenes = Scene::ALL.into_iter();
+    let scene = scenes.find(|s| s.name() == text).map(Name::Scene);
+    let found = scene.or_else(points).or_else(domain);
+    found.ok_or_else(|| "no such sample; `delone sample` lists them".to_owned())
 }
 
-/// Returns the embedded sample as an input.
-pub fn embedded() -> Input {
+/// Returns the embedded points as an input.
+fn embedded() -> Input {
     let source = Source::Memory {
         name: format!("{EMBEDDED}.csv"),
         bytes: CSV.to_vec(),
@@ -85,50 +93,87 @@ pub fn embedded() -> Input {
 impl Sample {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
-        match self.name {
-            Some(name) => self.write(name, quiet),
-            None => files::print(&listing()),
-        }
-    }
-
-    fn write(&self, name: Name, quiet: bool) -> Result<(), Failure> {
-        let wanted = self.output.iter().map(|o| (o.clone(), Content::Points));
-        let mut outputs = self.writing.outputs(wanted)?;
-        if outputs.is_empty() {
-            outputs = self.writing.stdout(Content::Points, Format::Table)?;
-        }
         let progress = Progress::new(quiet);
-        let points = match name {
+        let Some(name) = self.name else {
+            return files::print(&listing());
+        };
+        let (written, what) = match name {
             Name::Embedded => {
                 let (points, unused) = embedded().points(&progress)?;
                 progress.note(&unused);
-                points
+                self.write_points(&points, &progress)?
             }
-            Name::Generated(distribution) => self.generate(distribution)?,
+            Name::Points(distribution) => {
+                require_room(self.count as usize)?;
+                let points = distribution.points(self.count as usize, self.seed);
+                self.write_points(&point_set(points), &progress)?
+            }
+            Name::Scene(scene) => self.write_domain(scene.draw(), &progress)?,
+            Name::Domain(domain) => {
+                // A loose segment has two points.
+                require_room(2 * self.count as usize)?;
+                let drawing = domain.draw(self.count as usize, self.seed);
+                self.write_domain(domain_data(drawing), &progress)?
+            }
         };
-        let written = self.writing.points(&outputs, &points, &progress)?;
         progress.finish();
         if !quiet && !written.is_empty() {
             let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            let count = counted(points.points.len(), "point", "points");
-            eprintln!("wrote {count} to {}", list(&names));
+            eprintln!("wrote {what} to {}", list(&names));
         }
         Ok(())
     }
 
-    /// Generates points; Ctrl-C ends the process, for there is nothing to clean up yet.
-    fn generate(&self, distribution: Distribution) -> Result<PointSet, Failure> {
-        let count = self.count as usize;
-        require_room(count)?;
-        let points = distribution.points(count, self.seed);
-        Ok(PointSet {
-            points: points.into_iter().map(Point::from).collect(),
-            ..PointSet::default()
-        })
+    fn write_points(
+        &self,
+        points: &PointSet,
+        progress: &Progress,
+    ) -> Result<(Vec<PathBuf>, String), Failure> {
+        let outputs = self.outputs(Content::Points, Format::Table)?;
+        let written = self.writing.points(&outputs, points, progress)?;
+        Ok((written, counted(points.points.len(), "point", "points")))
+    }
+
+    fn write_domain(
+        &self,
+        mut domain: DomainData,
+        progress: &Progress,
+    ) -> Result<(Vec<PathBuf>, String), Failure> {
+        let outputs = self.outputs(Content::Domain, Format::Poly)?;
+        let written = self.writing.domain(&outputs, &domain, progress)?;
+        Ok((written, words::domain(&domain.take_pslg())))
+    }
+
+    fn outputs(&self, content: Content, default: Format) -> Result<Outputs, Failure> {
+        let wanted = self.output.iter().map(|o| (o.clone(), content));
+        let outputs = self.writing.outputs(wanted)?;
+        if outputs.is_empty() {
+            return self.writing.stdout(content, default);
+        }
+        Ok(outputs)
     }
 }
 
+fn point_set(points: Vec<[f64; 2]>) -> PointSet {
+    PointSet {
+        points: points.into_iter().map(Point::from).collect(),
+        ..PointSet::default()
+    }
+}
+
+fn domain_data(drawing: Drawing) -> DomainData {
+    let vertex = |v: u32| VertexId::new(v as usize);
+    let segments = drawing.segments.into_iter().map(|ends| ends.map(vertex));
+    Pslg {
+        segments: segments.collect(),
+        ..Pslg::from_points(drawing.points)
+    }
+    .into()
+}
+
 /// Requires that so many points can be triangulated, and fit into memory.
+///
+/// Ctrl-C ends the process while they are generated, for there is nothing to clean up yet.
 fn require_room(count: usize) -> Result<(), Failure> {
     let given = words::count(count);
     if count > MAX_POINTS {
@@ -146,14 +191,35 @@ fn require_room(count: usize) -> Result<(), Failure> {
 }
 
 fn listing() -> String {
-    let mut text = format!(
-        "Embedded:\n  {EMBEDDED:16} 1249 places of the world: longitude, latitude, population\n  \
-         {:16} (made with Natural Earth, public domain)\n\n\
-         Generated, of any size (--count) and seed (--seed):",
-        ""
+    let row = |name: &str, about: &str| format!("\n  {name:18} {about}");
+    let mut text = "Points, embedded:".to_owned();
+    text += &row(
+        EMBEDDED,
+        "1249 places of the world: longitude, latitude, population",
     );
-    for distribution in Distribution::ALL {
-        text.push_str(&format!("\n  {distribution:16} {}", distribution.about()));
-    }
+    text += &row("", "(made with Natural Earth, public domain)");
+    text += "\n\nPoints, of any number (--count) and seed (--seed):";
+    text.extend(Distribution::ALL.map(|d| row(d.name(), d.about())));
+    text += "\n\nDomains:";
+    text.extend(Scene::ALL.map(|s| row(s.name(), s.about())));
+    text += "\n\nDomains, of any number of segments (--count) and seed:";
+    text.extend(Domain::ALL.map(|d| row(d.name(), d.about())));
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sample_has_a_name_of_its_own() {
+        let points = Distribution::ALL.map(|d| (d.name(), Name::Points(d)));
+        let scenes = Scene::ALL.map(|s| (s.name(), Name::Scene(s)));
+        let domains = Domain::ALL.map(|d| (d.name(), Name::Domain(d)));
+        for (text, sample) in points.into_iter().chain(scenes).chain(domains) {
+            assert_eq!(name(text), Ok(sample));
+        }
+        assert_eq!(name(EMBEDDED), Ok(Name::Embedded));
+        assert!(name("pond").is_err());
+    }
 }

@@ -1,5 +1,6 @@
 //! Figures as people read them.
 
+use delone::Pslg;
 use std::time::Duration;
 
 /// Writes a count with its digits in groups of three: `1,249`.
@@ -18,6 +19,22 @@ pub fn count(n: usize) -> String {
 /// Writes a count of things: `1 triangle`, `2,475 triangles`, `0 vertices`.
 pub fn counted(n: usize, one: &str, many: &str) -> String {
     format!("{} {}", count(n), if n == 1 { one } else { many })
+}
+
+/// Writes what a domain consists of: `9 points, 9 segments and 1 hole`.
+pub fn domain(pslg: &Pslg) -> String {
+    let mut parts = vec![counted(pslg.points.len(), "point", "points")];
+    for (n, one, many) in [
+        (pslg.segments.len(), "segment", "segments"),
+        (pslg.polygons.len(), "polygon", "polygons"),
+        (pslg.holes.len(), "hole", "holes"),
+        (pslg.regions.len(), "region", "regions"),
+    ] {
+        if n > 0 {
+            parts.push(counted(n, one, many));
+        }
+    }
+    list(&parts)
 }
 
 /// Writes a duration with three digits and its unit: `0.412 ms`, `97.3 ms`, `1.24 s`.

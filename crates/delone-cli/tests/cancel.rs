@@ -43,9 +43,24 @@ fn ctrl_c_ends_every_phase_soon_and_leaves_no_file() {
     let folder = Folder::new();
     folder.run("sample uniform -n 1000000 -o points.csv", 0);
     let line = "triangulate points.csv -o mesh.ele -o mesh.vtu --picture mesh.svg --threads 2";
+    interrupt_again_and_again(&folder, line, "points.csv");
+}
+
+#[test]
+fn ctrl_c_ends_the_phases_of_a_domain_soon_and_leaves_no_file() {
+    let folder = Folder::new();
+    folder.run("sample tangle -n 100000 -o tangle.poly", 0);
+    let line =
+        "triangulate tangle.poly --crossings split --domain hull -o mesh.ele -o mesh.geojson";
+    interrupt_again_and_again(&folder, line, "tangle.poly");
+    interrupt_again_and_again(&folder, "info tangle.poly", "tangle.poly");
+}
+
+/// Interrupts a command after various times; only its input must be there then.
+fn interrupt_again_and_again(folder: &Folder, line: &str, input: &str) {
     let mut cancelled = 0;
     for millis in [30, 120, 300, 700, 1500] {
-        let mut child = start(&folder, line, Stdio::null());
+        let mut child = start(folder, line, Stdio::null());
         let (status, time) = interrupt(&mut child, Duration::from_millis(millis));
         if status.code() == Some(0) {
             // A machine so fast that everything was done by then.
@@ -53,7 +68,7 @@ fn ctrl_c_ends_every_phase_soon_and_leaves_no_file() {
         }
         assert_eq!(status.code(), Some(130), "after {millis} ms");
         assert!(time < SOON, "took {time:?} after {millis} ms");
-        assert_eq!(folder.names(), ["points.csv"], "after {millis} ms");
+        assert_eq!(folder.names(), [input], "after {millis} ms");
         cancelled += 1;
     }
     assert!(cancelled > 0, "never fast enough to interrupt");

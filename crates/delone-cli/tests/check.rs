@@ -102,3 +102,113 @@ fn a_file_that_cannot_be_read_does_not_hide_the_others() {
     assert_eq!(output.stderr.lines().count(), 1, "{}", output.stderr);
     folder.run("check missing.ele mesh.ele", 3);
 }
+
+/// A square with a hole, and a loose point outside.
+const HOLED: &str = "\
+9 2 0 0
+0 0 0
+1 4 0
+2 4 4
+3 0 4
+4 1 1
+5 3 1
+6 3 3
+7 1 3
+8 9 9
+8 0
+0 0 1
+1 1 2
+2 2 3
+3 3 0
+4 4 5
+5 5 6
+6 6 7
+7 7 4
+1
+0 2 2
+";
+
+#[test]
+fn the_mesh_of_a_domain_gets_a_certificate() {
+    let folder = Folder::new();
+    folder.write("holed.poly", HOLED);
+    folder.run("triangulate holed.poly -o m.ele", 0);
+    let output = folder.run("check m.ele --domain holed.poly", 0);
+    for words in [
+        "right",
+        "constrained",
+        "holed.poly (carve)",
+        "1 hole",
+        "Proven",
+    ] {
+        assert!(output.stdout.contains(words), "{words}: {}", output.stdout);
+    }
+    let json = folder
+        .run("check m.ele --domain holed.poly --json", 0)
+        .json();
+    assert_eq!(json["right"], true);
+    for (key, value) in [("added", 0), ("carved", 1), ("components", 1), ("holes", 1)] {
+        assert_eq!(json["domain"][key], value, "{key}");
+    }
+    assert_eq!(json["domain"]["file"], "holed.poly");
+    assert_eq!(json["domain"]["rule"], "carve");
+    let built = folder.run("triangulate holed.poly --json", 0).json();
+    assert_eq!(json["hash"], built["hash"]);
+}
+
+#[test]
+fn a_mesh_is_right_under_its_own_rule_only() {
+    let folder = Folder::new();
+    folder.write("holed.poly", HOLED);
+    let rules = ["hull", "carve", "evenodd"];
+    for built in rules {
+        folder.run(
+            &format!("triangulate holed.poly --domain {built} -o m.ele"),
+            0,
+        );
+        for checked in rules {
+            // With the seed in the hole both leave the same.
+            let agree = (built == "hull") == (checked == "hull");
+            let line = format!("check m.ele --domain holed.poly --rule {checked}");
+            let output = folder.run(&line, if agree { 0 } else { 1 });
+            assert_eq!(output.stdout.contains("wrong"), !agree, "{built} {checked}");
+        }
+    }
+}
+
+#[test]
+fn a_mesh_of_another_domain_is_wrong() {
+    let folder = Folder::new();
+    folder.write("holed.poly", HOLED);
+    folder.run("triangulate holed.poly -o m.ele", 0);
+    for (change, to) in [
+        ("\n8 9 9", "\n8 9 8"),
+        ("\n1\n0 2 2", "\n0"),
+        ("7 7 4", "7 7 5"),
+    ] {
+        folder.write("other.poly", HOLED.replace(change, to));
+        let json = folder
+            .run("check m.ele --domain other.poly --json", 1)
+            .json();
+        assert_eq!(json["right"], false, "{change}");
+        assert_eq!(json["domain"]["file"], "other.poly");
+        assert!(json["domain"]["holes"].is_null());
+    }
+    // Without the domain it is no triangulation of its points, and that is explained.
+    let output = folder.run("check m.ele", 1);
+    assert!(output.stdout.contains("--domain"), "{}", output.stdout);
+}
+
+#[test]
+fn a_bad_domain_is_3() {
+    let folder = Folder::new();
+    folder.write("holed.poly", HOLED);
+    folder.run("triangulate holed.poly -o m.ele", 0);
+    folder
+        .run("check m.ele --domain nowhere.poly", 3)
+        .says(&["nowhere.poly"]);
+    folder.write("seed.poly", HOLED.replace("0 2 2", "0 2 1"));
+    folder
+        .run("check m.ele --domain seed.poly", 3)
+        .says(&["seed.poly: the point of hole 0 at (2, 1) lies on segment 4"]);
+}

@@ -13,6 +13,10 @@ fn samples_are_listed() {
         "uniform",
         "kuzmin",
         "tilted-grid",
+        "lake",
+        "coast",
+        "thesis-two",
+        "degenerate-grid",
     ] {
         assert!(list.contains(name), "{name}");
     }
@@ -55,9 +59,11 @@ fn the_embedded_sample_can_be_had_as_a_file() {
     folder
         .run("sample populated-places -o cities.csv", 0)
         .says(&["1,249 points", "cities.csv"]);
-    let from_file = folder.run("triangulate cities.csv --json", 0).json();
-    let embedded = folder.run("triangulate --json", 0).json();
-    assert_eq!(from_file["hash"], embedded["hash"]);
+    let json = folder.run("triangulate cities.csv --json", 0).json();
+    assert_eq!(
+        (&json["vertices"], &json["segments"]),
+        (&1249.into(), &0.into())
+    );
     assert!(folder.read("cities.csv").starts_with("x,y,population\n"));
 }
 
@@ -98,6 +104,30 @@ fn points_alone_leave_the_triangles_behind() {
         .run("convert a.ele b.node --points", 0)
         .says(&["6 points to b.node"]);
     assert!(!folder.names().contains(&"b.ele".to_owned()));
+}
+
+#[test]
+fn domains_are_converted_with_their_segments() {
+    let folder = Folder::new();
+    folder.run("sample coast -n 60 -o a.poly", 0);
+    folder
+        .run("convert a.poly b.geojson", 0)
+        .says(&["60 points and 60 segments to b.geojson"]);
+    folder.run("convert b.geojson c.poly --one-based", 0);
+    folder.run("convert c.poly d.svg", 0);
+    let hash = |file: &str| {
+        let line = format!("triangulate {file} --domain carve --json");
+        folder.run(&line, 0).json()["hash"].clone()
+    };
+    for file in ["b.geojson", "c.poly"] {
+        assert_eq!(hash(file), hash("a.poly"), "{file}");
+    }
+    folder
+        .run("convert a.poly e.csv", 0)
+        .says(&["note: a.poly: only the points", "60 points to e.csv"]);
+    folder
+        .run("convert a.poly f.node --points", 0)
+        .says(&["60 points to f.node"]);
 }
 
 #[test]

@@ -33,14 +33,15 @@ fn wrong_usage_is_2() {
             &["--json", "standard output"],
         ),
         ("triangulate points.csv -o - -o - --to ele", &["only one"]),
-        (
-            "triangulate points.csv -o - --to poly",
-            &["poly", "node or ele"],
-        ),
+        ("triangulate points.csv --crossings ask", &["ask", "split"]),
+        ("triangulate points.csv --domain ring", &["ring", "evenodd"]),
         ("sample uniform --to ele", &["ele", "cannot hold points"]),
         ("triangulate --from csv", &["--from", "INPUT"]),
         ("triangulate --columns lon,lat", &["--columns", "INPUT"]),
         ("check - --points -", &["--points", "standard input"]),
+        ("check - --domain -", &["--domain", "standard input"]),
+        ("check m.ele --rule hull", &["--domain"]),
+        ("check m.ele --domain a --points b", &["--points"]),
         ("convert - mesh.xls", &["mesh.xls", "csv", "ele"]),
         ("triangulate points.csv --columns x", &["two columns"]),
         (
@@ -89,10 +90,7 @@ fn no_input_is_overwritten_and_no_output_by_another() {
             "triangulate k.ele -o ./k.poly",
             &["./k.poly", "k.node is the input"],
         ),
-        (
-            "triangulate without.poly -o without.ele",
-            &["without.node is the input"],
-        ),
+        ("triangulate without.poly -o without.ele", &["is the input"]),
         (
             "triangulate points.csv --picture points.csv --to svg",
             &["cannot hold a picture"],
@@ -115,10 +113,9 @@ fn no_input_is_overwritten_and_no_output_by_another() {
         folder.run(line, 2).says(words);
         assert!(files().eq(before.iter().cloned()), "{line}");
     }
-    // A .poly with points of its own reads no .node, and one family may be named twice.
-    folder.write("with.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n0 0\n0\n");
+    // One family may be named twice.
     for _ in 0..2 {
-        folder.run("triangulate with.poly -o with.ele -o with.node", 0);
+        folder.run("triangulate points.csv -o with.ele -o with.node", 0);
     }
 }
 
@@ -197,7 +194,7 @@ fn help_and_version_are_0() {
         version.stdout.trim(),
         concat!("delone ", env!("CARGO_PKG_VERSION"))
     );
-    for command in ["triangulate", "check", "sample", "convert"] {
+    for command in ["triangulate", "info", "check", "sample", "convert"] {
         assert!(folder.run("--help", 0).stdout.contains(command));
         let help = folder.run(&format!("{command} --help"), 0).stdout;
         for words in [
@@ -225,6 +222,23 @@ fn help_and_readme_name_every_key_of_the_json() {
 }
 
 #[test]
+fn help_names_every_key_of_the_json_of_info_and_check() {
+    let folder = Folder::with_points();
+    folder.run("triangulate points.csv --domain hull -o m.ele", 0);
+    for (command, line) in [
+        ("info", "info points.csv --json"),
+        ("check", "check m.ele --json"),
+    ] {
+        let help = folder.run(&format!("{command} --help"), 0).stdout;
+        let (_, help) = help.split_once("The JSON object").expect("a section");
+        let json = folder.run(line, 0).json();
+        for key in json.as_object().expect("an object").keys() {
+            assert!(help.contains(key.as_str()), "{command}: {key}");
+        }
+    }
+}
+
+#[test]
 fn help_and_readme_say_the_same_of_exit_codes() {
     let help = Folder::new().run("--help", 0).stdout;
     let (_, codes) = help.split_once("Exit codes:\n").expect("the codes");
@@ -247,7 +261,7 @@ fn the_examples_of_the_readme_run() {
         .map(|line| line.split('#').next().unwrap_or(line).trim());
     // Samples come first, for others read them.
     let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
-    assert_eq!((samples.len(), others.len()), (1, 4));
+    assert_eq!((samples.len(), others.len()), (2, 7));
     for example in samples.iter().chain(&others) {
         folder.run(&example.replace("1000000", "1000"), 0);
     }
@@ -259,6 +273,7 @@ fn lines_of_help_fit_a_terminal() {
     for line in [
         "-h",
         "triangulate -h",
+        "info -h",
         "check -h",
         "sample -h",
         "convert -h",

@@ -1,4 +1,4 @@
-//! Exact, canonical, fast Delaunay triangulation of points in the plane.
+//! Exact, canonical, fast Delaunay triangulation of points and segments in the plane.
 //!
 //! ```
 //! let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (1.0, 1.0)];
@@ -14,16 +14,34 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Segments, holes and regions make a domain of the points. They may be as dirty as drawings are:
+//!
+//! ```
+//! use delone::{ConstrainedDelaunay, DomainRule, Pslg, SegmentPolicy};
+//!
+//! let mut drawing = Pslg::from_points([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (2.0, 1.0), (0.0, 4.0)]);
+//! drawing.add_ring([0, 1, 2, 3, 4]); // an outline with a notch
+//! drawing.add_segment(0, 3); // and a line in it
+//! let builder = ConstrainedDelaunay::new()
+//!     .domain(DomainRule::Carve) // without the notch
+//!     .crossings(SegmentPolicy::Split); // the default is an error that names both segments
+//! let t = builder.triangulate(drawing)?;
+//! assert_eq!(t.triangulation().num_triangles(), 3);
+//! assert_eq!(t.chain(5).len(), 2); // the vertices along the line
+//! # Ok::<(), delone::Error>(())
+//! ```
+//!
 //! # Guarantees
 //!
 //! - **Exact**: every decision is the true sign, for all finite `f64`, subnormals included. There is
 //!   no tolerance.
-//! - **Canonical**: a point set has exactly *one* triangulation. Equal points are merged, and points
-//!   on a common circle are told apart by a symbolic perturbation that depends on coordinates alone.
-//!   Order of the input, number of threads, builder and machine do not change the set of triangles,
-//!   so a [hash](Triangulation::hash) names it.
+//! - **Canonical**: a point set, and a set of segments with it, has exactly *one* triangulation. Equal
+//!   points are merged, and points on a common circle are told apart by a symbolic perturbation that
+//!   depends on coordinates alone. Order of the input, number of threads, builder and machine do not
+//!   change the set of triangles, so a [hash](Triangulation::hash) names it.
 //! - **Total**: no points, one, two, all equal, all on one line: every finite input has a result.
-//!   Refused are coordinates that are not finite and more points than 32-bit ids can number; the
+//!   Refused are coordinates that are not finite, segments that cross unless they are to be split,
+//!   seeds of holes and regions on segments, and more points than 32-bit ids can number; the
 //!   [`Error`] names the culprit. Nothing panics on input.
 //!
 //! Conventions: y points up, counter-clockwise is positive, vertices keep the caller's numbers, and
@@ -33,6 +51,8 @@
 //!
 //! - [`triangulate`], [`Delaunay`]: a whole point set, on several threads, watched if you like;
 //!   [`delaunay::Incremental`]: point by point.
+//! - [`Pslg`], [`ConstrainedDelaunay`]: a domain; [`ConstrainedTriangulation`]: its triangles and
+//!   constrained edges, the regions, and the lineage of vertices and segments.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
 //!   [`mesh`]: its half-edges.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.

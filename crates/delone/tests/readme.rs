@@ -1,5 +1,5 @@
-//! Holds the README to the truth: its five lines are those of `examples/first.rs`, and its output
-//! is theirs.
+//! Holds the README to the truth: its five lines are those of `examples/first.rs`, and those for a
+//! domain of `examples/domain.rs`, and their output is theirs.
 
 use std::cell::RefCell;
 use std::path::Path;
@@ -18,6 +18,8 @@ macro_rules! println {
     };
 }
 
+#[path = "../examples/domain.rs"]
+mod domain;
 #[path = "../examples/first.rs"]
 mod first;
 
@@ -38,15 +40,25 @@ fn body(example: &str) -> String {
         .collect()
 }
 
-#[test]
-fn the_readme_shows_the_example_and_its_output() {
-    let code = body(&read("examples/first.rs"));
-    assert_eq!(code.lines().count(), 5, "five lines:\n{code}");
-    first::main().expect("five finite points");
+/// Requires that the README has the few lines of an example, and what they print.
+fn require(example: &str, lines: usize, main: fn() -> Result<(), delone::Error>) {
+    let code = body(&read(example));
+    assert_eq!(code.lines().count(), lines, "{code}");
+    main().expect("finite points");
     let output = PRINTED.take();
     let readme = read("../../README.md");
     for (language, text) in [("rust", code), ("text", output)] {
         let block = format!("```{language}\n{text}```\n");
         assert!(readme.contains(&block), "the README lacks:\n{block}");
     }
+}
+
+#[test]
+fn the_readme_shows_the_example_and_its_output() {
+    require("examples/first.rs", 5, first::main);
+}
+
+#[test]
+fn the_readme_shows_the_example_of_a_domain_and_its_output() {
+    require("examples/domain.rs", 6, domain::main);
 }

@@ -1,9 +1,10 @@
 //! The outcome of a check, for people and for programs.
 
+use super::drawing::Drawing;
 use super::presence::Absences;
 use crate::memory::peak_rss_bytes;
 use crate::words::{counted, duration, measure};
-use delone::check::{Certificate, Quality, Verdict, quality};
+use delone::check::{Certificate, DomainNumbers, Quality, Verdict, quality};
 use delone_io::{MeshData, Source};
 use serde::Serialize;
 use std::fmt;
@@ -22,6 +23,7 @@ pub struct Report {
     hull_edges: Option<usize>,
     hash: Option<String>,
     proven: &'static [&'static str],
+    domain: Option<Domain>,
     defects: Listed,
     quality: Option<Shapes>,
     seconds: Seconds,
@@ -29,6 +31,23 @@ pub struct Report {
     /// Whether the file counts from 1; words always count from 0.
     #[serde(skip)]
     one_based: bool,
+    /// Whether the mesh has constrained edges.
+    #[serde(skip)]
+    is_of_domain: bool,
+    #[serde(skip)]
+    numbers: Option<DomainNumbers>,
+}
+
+/// The domain that the mesh was checked against; the numbers are null if it is wrong.
+#[derive(Serialize)]
+struct Domain {
+    file: String,
+    rule: String,
+    added: Option<usize>,
+    carved: Option<usize>,
+    subsegments: Option<usize>,
+    components: Option<usize>,
+    holes: Option<usize>,
 }
 
 /// Defects: how many, and some of them in words.
@@ -71,6 +90,7 @@ impl Report {
         defects.total += absences.total;
         defects.listed.extend(absences.listed);
         let certificate = certificate.filter(|_| defects.total == 0);
+        let numbers = certificate.and_then(|c| c.domain);
         let [read, check] = seconds.map(|s| s.as_secs_f64());
         Self {
             file: source.to_string(),
@@ -82,13 +102,31 @@ impl Report {
             edges: certificate.map(|c| c.edges),
             hull_edges: certificate.map(|c| c.hull_edges),
             hash: certificate.map(|c| c.hash.to_string()),
-            proven: certificate.map_or(&[], |_| &Certificate::PROVEN),
+            proven: certificate.map_or(&[], |c| proven(&c)),
+            domain: None,
             defects,
             quality: certificate.and_then(|_| Shapes::of(mesh)),
             seconds: Seconds { read, check },
             peak_rss_bytes: peak_rss_bytes(),
             one_based: mesh.vertices.base == 1,
+            is_of_domain: mesh.constraints.is_some(),
+            numbers,
         }
+    }
+
+    /// Says that the mesh was checked against a domain.
+    pub fn against(mut self, drawing: &Drawing) -> Self {
+        let numbers = self.numbers.as_ref();
+        self.domain = Some(Domain {
+            file: drawing.file.clone(),
+            rule: drawing.rule.to_string(),
+            added: numbers.map(|n| n.added),
+            carved: numbers.map(|n| n.carved),
+            subsegments: numbers.map(|n| n.subsegments),
+            components: numbers.map(|n| n.components),
+            holes: numbers.map(|n| n.holes),
+        });
+        self
     }
 
     /// Tells whether nothing is wrong.
@@ -103,11 +141,18 @@ impl Report {
 
     fn write_certificate(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let points = counted(self.points, "point", "points");
-        writeln!(
-            f,
-            "{}: right. This is the Delaunay triangulation of its {points}.",
-            self.file
-        )?;
+        match &self.domain {
+            None => writeln!(
+                f,
+                "{}: right. This is the Delaunay triangulation of its {points}.",
+                self.file
+            )?,
+            Some(domain) => writeln!(
+                f,
+                "{}: right. This is the constrained Delaunay triangulation of {} ({}).",
+                self.file, domain.file, domain.rule
+            )?,
+        }
         let part = |n: Option<usize>, one, many| counted(n.unwrap_or(0), one, many);
         writeln!(
             f,
@@ -116,8 +161,11 @@ impl Report {
             part(self.duplicates, "duplicate", "duplicates"),
             counted(self.triangles, "triangle", "triangles"),
             part(self.edges, "edge", "edges"),
-            part(self.hull_edges, "edge on the hull", "edges on the hull"),
+            part(self.hull_edges, "edge on the border", "edges on the border"),
         )?;
+        if let Some(domain) = &self.domain {
+            writeln!(f, "  {domain}")?;
+        }
         if let Some(shapes) = &self.quality {
             writeln!(f, "  {shapes}")?;
         }
@@ -146,6 +194,12 @@ impl Report {
         if self.one_based {
             writeln!(f, "  (Numbers here count from 0; the file counts from 1.)")?;
         }
+        if self.is_of_domain && self.domain.is_none() {
+            writeln!(
+                f,
+                "  (It has segments: --domain FILE checks it against what was drawn.)"
+            )?;
+        }
         self.write_effort(f)
     }
 
@@ -172,6 +226,29 @@ impl From<&delone::check::Defects> for Listed {
             total: defects.total(),
             listed: defects.listed().iter().map(ToString::to_string).collect(),
         }
+    }
+}
+
+impl fmt::Display for Domain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = |n: Option<usize>, one, many| counted(n.unwrap_or(0), one, many);
+        write!(
+            f,
+            "{}, {}, {}, {}, {}",
+            part(self.subsegments, "subsegment", "subsegments"),
+            part(self.added, "vertex added", "vertices added"),
+            part(self.components, "component", "components"),
+            part(self.holes, "hole", "holes"),
+            part(self.carved, "point carved away", "points carved away"),
+        )
+    }
+}
+
+/// Returns what a certificate proves.
+fn proven(certificate: &Certificate) -> &'static [&'static str] {
+    match certificate.domain {
+        None => &Certificate::PROVEN,
+        Some(_) => &DomainNumbers::PROVEN,
     }
 }
 

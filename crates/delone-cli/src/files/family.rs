@@ -11,6 +11,7 @@ enum Part {
     Whole(Format),
     Corners,
     Coordinates,
+    Edges,
 }
 
 /// A file that is going to be written.
@@ -31,14 +32,22 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         (Format::Npy, Content::Mesh) => vec![
             whole(Part::Corners),
             sibling("points.npy", Part::Coordinates),
+            // This one, and the .poly below, only if there are segments.
+            sibling("segments.npy", Part::Edges),
         ],
         (Format::Npy, _) => vec![whole(Part::Coordinates)],
         (
             Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly,
             Content::Mesh,
-        ) => [Format::Node, Format::Ele, Format::Edge, Format::Neigh]
-            .map(|f| sibling(f.name(), Part::Whole(f)))
-            .into(),
+        ) => [
+            Format::Node,
+            Format::Ele,
+            Format::Edge,
+            Format::Neigh,
+            Format::Poly,
+        ]
+        .map(|f| sibling(f.name(), Part::Whole(f)))
+        .into(),
         _ => vec![whole(Part::Whole(format))],
     }
 }

@@ -3,7 +3,7 @@
 use super::unreadable;
 use crate::exit::Failure;
 use crate::progress::Progress;
-use delone_io::{Column, Error, Format, MeshData, PointSet, ReadOptions, Source};
+use delone_io::{Column, DomainData, Error, Format, MeshData, PointSet, ReadOptions, Source};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ pub struct Reading {
     /// Columns of x and y in a table: their names, or their places counted from 1
     #[arg(long, value_name = "X,Y", value_parser = columns)]
     columns: Option<[Column; 2]>,
-    /// Format of the input, whatever its name and content say: node, csv, npy, vtu …
+    /// Format of the input, whatever its name and content say: poly, geojson, wkt, node, csv …
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
 }
@@ -37,6 +37,11 @@ impl Reading {
     /// Reads points.
     pub fn points(&self, source: &Source, progress: &Progress) -> Result<PointSet, Failure> {
         delone_io::read_points(source, &self.options(), progress).map_err(unreadable)
+    }
+
+    /// Reads points and what lies between them.
+    pub fn domain(&self, source: &Source, progress: &Progress) -> Result<DomainData, Failure> {
+        delone_io::read_domain(source, &self.options(), progress).map_err(unreadable)
     }
 
     /// Reads points and triangles.
@@ -163,19 +168,25 @@ impl Input {
         }
     }
 
+    /// Tells whether the input may bring segments.
+    pub fn brings_segments(&self) -> bool {
+        self.format.is_some_and(Format::reads_segments)
+    }
+
     /// Returns the files that are read, those beside it included.
     pub fn files(&self) -> Vec<PathBuf> {
         let Source::Path(path) = &self.source else {
             return Vec::new();
         };
-        let sibling = match self.format {
-            Some(Format::Node) => self.beside("ele"),
-            Some(Format::Ele) => self.beside("node"),
-            Some(Format::Poly) if names_no_points(&head(&self.source)) => self.beside("node"),
-            Some(Format::Npy) if self.holds_corners => self.beside("points.npy"),
-            _ => None,
+        let siblings: &[&str] = match self.format {
+            Some(Format::Node) => &["ele", "poly"],
+            Some(Format::Ele) => &["node", "poly"],
+            Some(Format::Poly) if names_no_points(&head(&self.source)) => &["node"],
+            Some(Format::Npy) if self.holds_corners => &["points.npy", "segments.npy"],
+            _ => &[],
         };
-        std::iter::once(path.clone()).chain(sibling).collect()
+        let siblings = siblings.iter().filter_map(|s| self.beside(s));
+        std::iter::once(path.clone()).chain(siblings).collect()
     }
 
     /// Reads the points, and says in words what is left unused of the rest.
@@ -188,7 +199,7 @@ impl Input {
             }
             (format, _) => {
                 let unused = match format {
-                    Some(Format::Poly) => {
+                    Some(format) if format.reads_segments() => {
                         Some("only the points are used, segments and holes are not")
                     }
                     Some(Format::Ele) => Some("only the points in the .node file are used"),
@@ -198,13 +209,27 @@ impl Input {
                 (self.read(&self.source, progress)?, unused)
             }
         };
-        if !set.left_out.is_empty() {
-            let columns = set.left_out.join(", ");
-            unused.push(format!("left out, because they hold no numbers: {columns}"));
+        unused.extend(columns_left_out(&set));
+        Ok((set, self.named(unused)))
+    }
+
+    /// Reads the points with what the input says about segments, and says in words what is left
+    /// unused of the rest.
+    pub fn domain(&self, progress: &Progress) -> Result<(DomainData, Vec<String>), Failure> {
+        if self.brings_triangles() {
+            let (points, unused) = self.points(progress)?;
+            return Ok((points.into(), unused));
         }
+        let domain = delone_io::read_domain(&self.source, &self.options, progress);
+        let domain = domain.map_err(unreadable)?;
+        let unused = columns_left_out(&domain.vertices).into_iter().collect();
+        Ok((domain, self.named(unused)))
+    }
+
+    fn named(&self, unused: Vec<String>) -> Vec<String> {
         let name = self.name();
         let unused = unused.iter().map(|what| format!("{name}: {what}"));
-        Ok((set, unused.collect()))
+        unused.collect()
     }
 
     fn points_of_mesh(&self, progress: &Progress) -> Result<(PointSet, Vec<String>), Failure> {
@@ -232,6 +257,12 @@ impl Input {
             _ => None,
         }
     }
+}
+
+fn columns_left_out(set: &PointSet) -> Option<String> {
+    let columns = set.left_out.join(", ");
+    let says = || format!("left out, because they hold no numbers: {columns}");
+    (!columns.is_empty()).then(says)
 }
 
 /// Tells whether the head of an array declares integers in rows of three.

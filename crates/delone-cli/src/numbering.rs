@@ -1,0 +1,178 @@
+//! What the library says about segments, holes and regions, in the numbers of their file.
+
+use crate::exit::Failure;
+use delone::{Error, Seed, Warning};
+use delone_io::DomainData;
+
+/// How the file of an input counts.
+#[derive(Clone)]
+pub struct Numbering {
+    file: String,
+    /// The number of the first point; segments, holes and regions are counted from it too.
+    base: usize,
+}
+
+impl Numbering {
+    /// Takes the numbering of a domain read from `file`.
+    pub fn of(file: &str, domain: &DomainData) -> Self {
+        Self {
+            file: file.to_owned(),
+            base: domain.vertices.base as usize,
+        }
+    }
+
+    /// Says why the input cannot be triangulated.
+    pub fn failure(&self, error: Error) -> Failure {
+        let is_refused = matches!(
+            error,
+            Error::NotFinite { .. }
+                | Error::BadSegment { .. }
+                | Error::Crossing { .. }
+                | Error::BadPolygon { .. }
+                | Error::OpenPolygon { .. }
+                | Error::SeedNotFinite { .. }
+                | Error::SeedOnSegment { .. }
+        );
+        let hint = match error {
+            Error::Cancelled => return Failure::Cancelled,
+            Error::Crossing { .. } => ": --crossings split",
+            _ => "",
+        };
+        let [file, from] = [&self.file, self.hint()];
+        let text = format!("{file}: {}{hint}{from}", self.renumber(error));
+        if is_refused {
+            Failure::BadInput(text)
+        } else {
+            Failure::NotReached(text)
+        }
+    }
+
+    /// Says what deserves a word though the result is right.
+    pub fn note(&self, warning: &Warning) -> String {
+        let base = self.base;
+        let renumbered = match *warning {
+            Warning::HoleOutside { hole, at } => Warning::HoleOutside {
+                hole: hole + base,
+                at,
+            },
+            Warning::RegionOutside { region, at } => Warning::RegionOutside {
+                region: region + base,
+                at,
+            },
+            Warning::RegionTwice { region, first } => Warning::RegionTwice {
+                region: region + base,
+                first: first + base,
+            },
+            _ => return format!("{}: {warning}", self.file),
+        };
+        format!("{}: {renumbered}{}", self.file, self.hint())
+    }
+
+    fn hint(&self) -> &str {
+        if self.base == 1 {
+            " (numbered from 1)"
+        } else {
+            ""
+        }
+    }
+
+    fn renumber(&self, error: Error) -> Error {
+        let base = self.base;
+        match error {
+            Error::NotFinite { index, x, y } => Error::NotFinite {
+                index: index + base,
+                x,
+                y,
+            },
+            Error::Crossing { segments, at } => Error::Crossing {
+                segments: segments.map(|s| s + base),
+                at,
+            },
+            Error::SeedNotFinite { seed, at } => Error::SeedNotFinite {
+                seed: self.renumber_seed(seed),
+                at,
+            },
+            Error::SeedOnSegment { seed, at, segment } => Error::SeedOnSegment {
+                seed: self.renumber_seed(seed),
+                at,
+                segment: segment + base,
+            },
+            other => other,
+        }
+    }
+
+    fn renumber_seed(&self, seed: Seed) -> Seed {
+        match seed {
+            Seed::Hole(i) => Seed::Hole(i + self.base),
+            Seed::Region(i) => Seed::Region(i + self.base),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use delone::Point;
+
+    fn numbering(base: usize) -> Numbering {
+        Numbering {
+            file: "k.poly".to_owned(),
+            base,
+        }
+    }
+
+    #[test]
+    fn crossings_are_named_as_the_file_counts() {
+        let at = Point::new(0.5, 2.0);
+        let crossing = Error::Crossing {
+            segments: [3, 17],
+            at,
+        };
+        let said = |base| match numbering(base).failure(crossing.clone()) {
+            Failure::BadInput(text) => text,
+            other => panic!("{other}"),
+        };
+        assert!(said(0).starts_with("k.poly: segments 3 and 17 cross at (0.5, 2)"));
+        assert!(said(0).ends_with("--crossings split"));
+        assert!(said(1).starts_with("k.poly: segments 4 and 18 cross at (0.5, 2)"));
+        assert!(said(1).ends_with("(numbered from 1)"));
+    }
+
+    #[test]
+    fn seeds_and_warnings_are_renumbered() {
+        let at = Point::new(1.0, 1.0);
+        let error = Error::SeedOnSegment {
+            seed: Seed::Hole(0),
+            at,
+            segment: 4,
+        };
+        let said = numbering(1).failure(error).to_string();
+        assert!(
+            said.contains("hole 1 at (1, 1) lies on segment 5"),
+            "{said}"
+        );
+        let said = numbering(1).note(&Warning::RegionTwice {
+            region: 2,
+            first: 0,
+        });
+        assert!(said.contains("region 3 lies in the region of 1"), "{said}");
+        assert!(
+            numbering(1)
+                .note(&Warning::Empty)
+                .starts_with("k.poly: nothing")
+        );
+    }
+
+    #[test]
+    fn limits_are_not_the_fault_of_the_input() {
+        let error = Error::TooManyPoints { given: 5, limit: 4 };
+        assert!(matches!(
+            numbering(0).failure(error),
+            Failure::NotReached(_)
+        ));
+        assert!(matches!(
+            numbering(0).failure(Error::Cancelled),
+            Failure::Cancelled
+        ));
+    }
+}
