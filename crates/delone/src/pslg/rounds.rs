@@ -52,7 +52,7 @@ pub(super) struct Rounds<'a> {
 }
 
 /// Rounds that cut only at what is found by exact signs. Random segments need two or three.
-pub(super) const EXACT_ROUNDS: usize = 12;
+pub(super) const EXACT_ROUNDS: usize = 4;
 
 /// More added vertices than this, when the first round adds `first`, show a cascade.
 pub(super) fn most_added(first: usize) -> usize {

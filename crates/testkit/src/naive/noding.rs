@@ -30,7 +30,7 @@ impl NaiveNoding {
 }
 
 /// After so many rounds, pieces are cut at what they pass up to rounding.
-const EXACT_ROUNDS: usize = 12;
+const EXACT_ROUNDS: usize = 4;
 
 /// And so they are if there are more added vertices than this, given how many the first round added.
 fn most_added(first: usize) -> usize {

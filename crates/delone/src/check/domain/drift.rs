@@ -10,7 +10,7 @@ use crate::Point;
 use crate::predicates::{Orientation, orient2d};
 
 /// Units in the last place by which a vertex may lie off its segment, along each axis.
-const ULPS: f64 = 4.0;
+const ULPS: f64 = 8.0;
 
 /// A segment, and what is near it.
 pub(super) struct Corridor {
