@@ -7,10 +7,10 @@ use super::export::hand_out;
 use super::insert::{Outcome, insert_all};
 use super::names::Names;
 use super::segments::Segments;
-use super::{ConstrainedTriangulation, Options, input};
+use super::{ConstrainedTriangulation, Options};
 use crate::delaunay::{Curve, check_number};
 use crate::parallel::Workers;
-use crate::pslg::{self, Chains, Noding};
+use crate::pslg::{self, Chains, Noding, input};
 use crate::{DomainRule, Error, Mesh, Point, Pslg, SegmentPolicy, VertexId, Watch};
 
 /// Triangulates a domain.

@@ -6,7 +6,6 @@ mod carve;
 mod corridor;
 mod draft;
 mod export;
-mod input;
 mod insert;
 mod names;
 mod polygons;

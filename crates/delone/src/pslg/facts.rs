@@ -6,6 +6,7 @@
 //! first of each kind are listed, all are counted.
 
 use super::Pslg;
+use super::input::check_segments;
 use super::listed::{First, Listed};
 use super::meeting::{Ends, Meeting, meet};
 use super::rings::{self, Ring};
@@ -109,25 +110,11 @@ fn check(pslg: &Pslg) -> Result<(), Error> {
     if given > limit {
         return Err(Error::TooManyPoints { given, limit });
     }
-    let given = pslg.segments.len();
-    if given > limit {
-        return Err(Error::TooManySegments { given, limit });
-    }
     if let Some(index) = pslg.points.iter().position(|p| !p.is_finite()) {
         let Point { x, y } = pslg.points[index];
         return Err(Error::NotFinite { index, x, y });
     }
-    let points = pslg.points.len();
-    for (segment, ends) in pslg.segments.iter().enumerate() {
-        if let Some(&vertex) = ends.iter().find(|v| v.index() >= points) {
-            return Err(Error::BadSegment {
-                segment,
-                vertex,
-                points,
-            });
-        }
-    }
-    Ok(())
+    check_segments(&pslg.segments, given)
 }
 
 /// Collects the facts of a graph whose indices are right.

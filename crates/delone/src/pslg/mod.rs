@@ -8,6 +8,7 @@
 mod boxes;
 mod chains;
 mod facts;
+pub(crate) mod input;
 mod listed;
 mod meeting;
 mod noding;

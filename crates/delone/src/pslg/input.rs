@@ -1,12 +1,13 @@
 //! The first look at the input: do indices, ranges and seeds make sense?
 
-use crate::{Error, Pslg, Seed, VertexId};
+use super::Pslg;
+use crate::{Error, Seed, VertexId};
 
-/// The most segments that 32 bits can number.
-const MAX_SEGMENTS: usize = u32::MAX as usize;
+/// The most segments that 32 bits can number, one number reserved.
+const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
 
 /// Checks all but the coordinates of the points, which the Delaunay triangulation looks at.
-pub(super) fn check(pslg: &Pslg) -> Result<(), Error> {
+pub(crate) fn check(pslg: &Pslg) -> Result<(), Error> {
     check_segments(&pslg.segments, pslg.points.len())?;
     check_polygons(pslg)?;
     let holes = pslg.holes.iter().enumerate();
@@ -22,7 +23,8 @@ pub(super) fn check(pslg: &Pslg) -> Result<(), Error> {
     Ok(())
 }
 
-fn check_segments(segments: &[[VertexId; 2]], points: usize) -> Result<(), Error> {
+/// Requires that there are not too many segments, and that they name points.
+pub(super) fn check_segments(segments: &[[VertexId; 2]], points: usize) -> Result<(), Error> {
     let given = segments.len();
     if given > MAX_SEGMENTS {
         let limit = MAX_SEGMENTS;
@@ -55,7 +57,7 @@ fn check_polygons(pslg: &Pslg) -> Result<(), Error> {
 }
 
 /// Requires that each polygon is closed: in every position an even number of its segments end.
-pub(super) fn require_closed(pslg: &Pslg) -> Result<(), Error> {
+pub(crate) fn require_closed(pslg: &Pslg) -> Result<(), Error> {
     let mut ends: Vec<VertexId> = Vec::new();
     for (polygon, range) in pslg.polygons.iter().enumerate() {
         ends.clear();
