@@ -286,7 +286,7 @@ fn hilbert(mut x: u32, mut y: u32) -> u32 {
     let mut key = 0;
     for bit in (0..16).rev() {
         let [right, up] = [x >> bit & 1, y >> bit & 1];
-        key = key << 2 | (3 * right ^ up);
+        key = key << 2 | ((3 * right) ^ up);
         // The curve in each quarter is the whole one, turned.
         if up == 0 {
             if right == 1 {
@@ -416,6 +416,20 @@ mod tests {
         for pair in cells.windows(2) {
             let [(x, y), (u, v)] = [pair[0], pair[1]];
             assert_eq!(x.abs_diff(u) + y.abs_diff(v), 1, "{pair:?}");
+        }
+    }
+
+    #[test]
+    fn diagonals_side_by_side_do_not_overlap() {
+        let diagonal = |i: u32| {
+            let x = f64::from(i);
+            Octagon::of_segment([Point::new(x, 0.0), Point::new(x + 1e4, 1e4)])
+        };
+        let items: Vec<u32> = (0..5000).collect();
+        let tree = BoxTree::new(&items, diagonal, Workers::ONE);
+        let mut stack = Stack::default();
+        for leaf in 0..tree.num_leaves() {
+            assert!(tree.pairs(leaf, &mut stack, |_, _| false));
         }
     }
 }

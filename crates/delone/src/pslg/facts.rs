@@ -9,7 +9,7 @@ use super::Pslg;
 use super::listed::{First, Listed};
 use super::meeting::{Ends, Meeting, meet};
 use super::rings::{self, Ring};
-use super::search::{Pace, Sweep, tree_of, tree_of_points};
+use super::search::{Query, Sweep, tree_of, tree_of_points};
 use super::vertices::Vertices;
 use crate::parallel::{Workers, with_workers};
 use crate::predicates::{Orientation, construct_crossing, orient2d};
@@ -294,9 +294,9 @@ impl Meetings<'_> {
             watch: self.watch,
             done: 0,
         };
-        let found = sweep.leaves(&tree, |leaf, pace, found: &mut Option<Found>| {
+        let found = sweep.leaves(&tree, |leaf, query, found: &mut Option<Found>| {
             let found = found.get_or_insert_with(|| Found::new(self.limit));
-            let Pace { stack, ticks } = pace;
+            let Query { stack, ticks } = query;
             let is_going_on = tree.pairs(leaf, stack, |s, t| {
                 found.look([s, t], vertices, merged, &first_at);
                 ticks.step()

@@ -8,8 +8,9 @@
 //!
 //! *Terminates*: rounding is monotone, so a rounded crossing lies in the bounding boxes of both
 //! segments, chains stay weakly monotone in x and in y, and every round refines them on a finite
-//! grid. In practice there are two or three rounds. *Drift*: at most half a unit in the last place
-//! and axis a round; input points never move.
+//! grid. In practice there are two or three rounds; where many would be needed, snap rounding ends them
+//! (`rounds.rs`). *Drift*: at most half a unit in the last place and axis a round; input points never
+//! move.
 //!
 //! *Cost*: in practice O((n + k) log n) for k crossings, memory O(n + k). Collinear segments that
 //! overlap are cut at all vertices on them, which can be quadratic, as is their lineage.
@@ -47,7 +48,7 @@ pub(crate) fn node(
     workers: Workers,
     watch: &dyn Watch,
 ) -> Option<Noding> {
-    let mut rounds = Rounds::new(points, vertices, segments, workers, watch);
+    let mut rounds = Rounds::new(points, vertices, segments, workers, watch)?;
     while rounds.step()? {}
     Some(rounds.finish())
 }
@@ -88,9 +89,9 @@ pub(crate) fn first_crossing(
         watch,
         done,
     };
-    sweep.leaves(&tree, |leaf, pace, _: &mut ()| {
-        tree.pairs(leaf, &mut pace.stack, |i, j| {
-            first.look([i.min(j), i.max(j)]) && pace.ticks.step()
+    sweep.leaves(&tree, |leaf, query, _: &mut ()| {
+        tree.pairs(leaf, &mut query.stack, |i, j| {
+            first.look([i.min(j), i.max(j)]) && query.ticks.step()
         })
     })?;
     Some(first.crossing())

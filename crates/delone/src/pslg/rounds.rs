@@ -18,7 +18,7 @@ use super::boxes::BoxTree;
 use super::meeting::{Ends, Meeting, meet};
 use super::noding::Noding;
 use super::pieces::Pieces;
-use super::search::{Pace, Sweep, tree_of, tree_of_points};
+use super::search::{Query, Sweep, tree_of, tree_of_points};
 use super::vertices::{Index, Vertices};
 use crate::parallel::Workers;
 use crate::predicates::{Orientation, construct_crossing, orient2d, passes};
@@ -77,23 +77,27 @@ struct Crossing {
 }
 
 impl<'a> Rounds<'a> {
+    /// Merges equal segments and packs them; `None` if the watch cancelled.
     pub fn new(
         points: &'a [Point],
         list: &'a [VertexId],
         segments: &'a [[VertexId; 2]],
         workers: Workers,
         watch: &'a dyn Watch,
-    ) -> Self {
+    ) -> Option<Self> {
+        let go_on = || (!watch.is_cancelled()).then_some(());
         let vertices = Vertices::new(points);
         let mut pieces = Pieces::default();
         let input = segments.iter().zip(0..);
         let input = input.map(|(&ends, i)| (vertices.sorted(ends.map(VertexId::raw)), i));
         let roots = pieces.intern(input, vertices.len());
+        go_on()?;
         let loose = loose_vertices(points.len(), list, segments);
         let loose = tree_of_points(&vertices, &loose, workers);
+        go_on()?;
         let all: Vec<u32> = (0..pieces.len() as u32).collect();
         let layers = vec![tree_of(&vertices, &all, &pieces.ends, workers)];
-        Self {
+        Some(Self {
             vertices,
             list,
             pieces,
@@ -108,19 +112,21 @@ impl<'a> Rounds<'a> {
             done: 0,
             workers,
             watch,
-        }
+        })
     }
 
     /// Makes one round; true if something was cut, `None` if the watch cancelled.
     pub fn step(&mut self) -> Option<bool> {
         let (mut cuts, crossings) = self.search()?;
-        let known = self.vertices.len();
         self.place(crossings, &mut cuts)?;
         if cuts.is_empty() {
             return Some(false);
         }
+        if self.watch.is_cancelled() {
+            return None;
+        }
         if self.is_cascade() {
-            self.snap(known, &mut cuts)?;
+            self.snap(&mut cuts)?;
         }
         self.cut(cuts)?;
         self.round += 1;
@@ -136,44 +142,24 @@ impl<'a> Rounds<'a> {
         self.round >= EXACT_ROUNDS || (self.round > 0 && self.vertices.added.len() > most)
     }
 
-    /// Adds the vertices that subsegments pass, up to rounding, to the cuts: pairs with a subsegment
-    /// that is new, or with a vertex that is an end of one or was added since there were `known`.
-    fn snap(&mut self, known: usize, cuts: &mut Vec<Cut>) -> Option<()> {
-        let (new, old) = self.layers.split_last().expect("bug: no layer");
-        let ends = new
-            .items()
-            .iter()
-            .flat_map(|&s| self.pieces.ends[s as usize]);
-        let mut hot: Vec<u32> = ends
-            .chain(known as u32..self.vertices.len() as u32)
-            .collect();
-        hot.sort_unstable();
-        hot.dedup();
-        let hot = tree_of_points(&self.vertices, &hot, self.workers);
-        let sweep = self.sweep();
-        let at_hot = sweep.leaves(&hot, |leaf, pace, cuts: &mut Vec<Cut>| {
-            self.layers.iter().all(|layer| {
-                hot.pairs_with(leaf, layer, &mut pace.stack, |v, s| {
-                    self.snap_to(s, v, cuts);
-                    pace.ticks.step()
-                })
-            })
-        })?;
-        let at_old = sweep.leaves(new, |leaf, pace, cuts: &mut Vec<Cut>| {
-            let Pace { stack, ticks } = pace;
-            old.iter().all(|layer| {
-                new.pairs_with(leaf, layer, stack, |s, t| {
-                    for v in self.pieces.ends[t as usize] {
+    /// Adds the vertices that subsegments pass, up to rounding, to the cuts. This looks at all pairs, old
+    /// ones too: the rounds before did not.
+    fn snap(&self, cuts: &mut Vec<Cut>) -> Option<()> {
+        let input = self.list.iter().map(|v| v.raw());
+        let added = self.vertices.num_input() as u32..self.vertices.len() as u32;
+        let all: Vec<u32> = input.chain(added).collect();
+        let tree = tree_of_points(&self.vertices, &all, self.workers);
+        let passed = self
+            .sweep()
+            .leaves(&tree, |leaf, query, cuts: &mut Vec<Cut>| {
+                self.layers.iter().all(|layer| {
+                    tree.pairs_with(leaf, layer, &mut query.stack, |v, s| {
                         self.snap_to(s, v, cuts);
-                    }
-                    ticks.step()
+                        query.ticks.step()
+                    })
                 })
-            }) && new.pairs_with(leaf, &self.loose, stack, |s, v| {
-                self.snap_to(s, v, cuts);
-                ticks.step()
-            })
-        })?;
-        cuts.extend(at_hot.into_iter().chain(at_old).flatten());
+            })?;
+        cuts.extend(passed.into_iter().flatten());
         Some(())
     }
 
@@ -187,8 +173,8 @@ impl<'a> Rounds<'a> {
     /// Finds everything that must be cut, among pairs with a new member.
     fn search(&mut self) -> Option<(Vec<Cut>, Vec<Crossing>)> {
         let (new, old) = self.layers.split_last().expect("bug: no layer");
-        let found = self.sweep().leaves(new, |leaf, pace, found: &mut Found| {
-            self.search_leaf(new, old, leaf, pace, found)
+        let found = self.sweep().leaves(new, |leaf, query, found: &mut Found| {
+            self.search_leaf(new, old, leaf, query, found)
         })?;
         self.done += new.num_leaves() as u64;
         let (mut cuts, mut crossings) = (Vec::new(), Vec::new());
@@ -212,10 +198,10 @@ impl<'a> Rounds<'a> {
         new: &BoxTree,
         old: &[BoxTree],
         leaf: usize,
-        pace: &mut Pace,
+        query: &mut Query,
         found: &mut Found,
     ) -> bool {
-        let Pace { stack, ticks } = pace;
+        let Query { stack, ticks } = query;
         let mut is_going_on = new.pairs(leaf, stack, |s, t| {
             self.look([s, t], found);
             ticks.step()

@@ -38,15 +38,15 @@ impl Sweep<'_> {
     pub fn leaves<T: Default + Send>(
         &self,
         tree: &BoxTree,
-        visit: impl Fn(usize, &mut Pace, &mut T) -> bool + Sync,
+        visit: impl Fn(usize, &mut Query, &mut T) -> bool + Sync,
     ) -> Option<Vec<T>> {
         let total = self.done + tree.num_leaves() as u64;
         let done = AtomicU64::new(self.done);
         let collected = self.workers.map(jobs(tree.num_leaves()), |job| {
             let (mut found, length) = (T::default(), job.len() as u64);
-            let mut pace = Pace::new(self.watch);
+            let mut query = Query::new(self.watch);
             for leaf in job {
-                if self.watch.is_cancelled() || !visit(leaf, &mut pace, &mut found) {
+                if self.watch.is_cancelled() || !visit(leaf, &mut query, &mut found) {
                     return None;
                 }
             }
@@ -68,12 +68,12 @@ fn jobs(leaves: usize) -> Vec<Range<usize>> {
 }
 
 /// What a query keeps at hand: its stack, and when to look at the watch.
-pub(super) struct Pace<'a> {
+pub(super) struct Query<'a> {
     pub stack: Stack,
     pub ticks: Ticks<'a>,
 }
 
-impl<'a> Pace<'a> {
+impl<'a> Query<'a> {
     fn new(watch: &'a dyn Watch) -> Self {
         Self {
             stack: Stack::default(),

@@ -35,7 +35,7 @@ fn is_nearest(rounded: f64, exact: &Relaxed) -> bool {
     };
     let own = distance(rounded);
     let neighbours = [rounded.next_down(), rounded.next_up()];
-    let is_even = rounded.to_bits() % 2 == 0;
+    let is_even = rounded.to_bits().is_multiple_of(2);
     neighbours.into_iter().filter(|c| c.is_finite()).all(|c| {
         let other = distance(c);
         own < other || (own == other && is_even)

@@ -3,13 +3,13 @@
 //! In each round every pair of pieces is tried, O(m²), and every vertex against every piece. All
 //! cuts of a round are found before any is made; a crossing is an exact rational point, rounded to
 //! the nearest `f64` in each coordinate. If rounds add too many vertices, pieces are also cut at
-//! vertices that they pass up to rounding, where a new piece or vertex takes part.
+//! vertices that they pass up to rounding.
 
 use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
 use dashu_ratio::RBig;
 use delone::{Point, VertexId};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Into what segments have been cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +47,6 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
         num_input: places.len(),
         places,
         lines,
-        kept: BTreeSet::new(),
         added_first: 0,
         number: 0,
     };
@@ -60,8 +59,6 @@ struct Rounds {
     places: Places,
     num_input: usize,
     lines: Vec<Vec<Point>>,
-    /// The pieces that the round before left whole; all others are new.
-    kept: BTreeSet<Key>,
     added_first: usize,
     number: usize,
 }
@@ -84,15 +81,13 @@ impl Rounds {
             return false;
         }
         if self.is_cascade() {
-            self.snap(&pieces, &known, &mut cuts);
+            self.snap(&pieces, &mut cuts);
         }
         if self.number == 0 {
             self.added_first = self.num_added();
         }
         let lines = self.lines.iter().map(|line| replaced(line, &cuts));
         self.lines = lines.collect();
-        cuts.retain(|_, line| line.len() == 2);
-        self.kept = cuts.into_keys().collect();
         self.number += 1;
         true
     }
@@ -106,21 +101,12 @@ impl Rounds {
         self.number >= EXACT_ROUNDS || is_growing
     }
 
-    /// Cuts at what is passed up to rounding too: new pieces at any vertex, the others at the ends of
-    /// new ones and at vertices that were not `known` before this round.
-    fn snap(&self, pieces: &BTreeMap<Key, Ends>, known: &Places, cuts: &mut Cuts) {
-        let is_new = |key: &&Key| !self.kept.contains(*key);
-        let ends = pieces.keys().filter(is_new).flatten().copied();
-        let is_added = |place: &&[u64; 2]| !known.contains_key(*place);
-        let added = self.places.keys().filter(is_added).copied();
-        let hot: BTreeSet<_> = ends.chain(added).collect();
-        for (key, &piece) in pieces {
-            let is_met = |(place, p): &(&[u64; 2], &Point)| {
-                (is_new(&key) || hot.contains(*place)) && passes(piece, **p)
-            };
-            let passed = self.places.iter().filter(is_met).map(|(_, p)| p);
-            let line = through(piece, passed.chain(&cuts[key]));
-            cuts.insert(*key, line);
+    /// Cuts at what is passed up to rounding too.
+    fn snap(&self, pieces: &BTreeMap<Key, Ends>, cuts: &mut Cuts) {
+        for (key, line) in cuts {
+            let piece = pieces[key];
+            let passed = self.places.values().filter(|&&p| passes(piece, p));
+            *line = through(piece, passed.chain(&line.clone()));
         }
     }
 }

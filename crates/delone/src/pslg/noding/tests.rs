@@ -224,8 +224,6 @@ impl Noded {
 struct Naive {
     vertices: BTreeSet<Key>,
     set: BTreeSet<[Key; 2]>,
-    /// What the last round added to the set.
-    new: BTreeSet<[Key; 2]>,
     rounds: usize,
     input: usize,
     added_first: usize,
@@ -252,7 +250,6 @@ impl Naive {
         Self {
             input: vertices.len(),
             vertices,
-            new: set.clone(),
             set,
             rounds: 0,
             added_first: 0,
@@ -262,17 +259,14 @@ impl Naive {
     /// Makes one round; false if there is nothing to cut.
     fn step(&mut self) -> bool {
         let mut cuts: BTreeSet<([Key; 2], Key)> = BTreeSet::new();
-        let mut hot: BTreeSet<Key> = self.new.iter().flatten().copied().collect();
         for &s in &self.set {
             let ends = s.map(position);
             let on = |v: &Key| is_between(ends[0], ends[1], position(*v));
             cuts.extend(self.vertices.iter().copied().filter(on).map(|v| (s, v)));
             let crossing = |t: &[Key; 2]| crossing_point(ends, t.map(position)).map(key);
             let crossings: Vec<Key> = self.set.iter().filter_map(crossing).collect();
-            hot.extend(crossings.iter().filter(|v| !self.vertices.contains(*v)));
             cuts.extend(crossings.into_iter().map(|v| (s, v)));
         }
-        let known = self.vertices.clone();
         self.vertices.extend(cuts.iter().map(|&(_, v)| v));
         cuts.retain(|(s, v)| !s.contains(v));
         if cuts.is_empty() {
@@ -282,12 +276,8 @@ impl Naive {
         let most = most_added(self.added_first);
         if self.rounds >= EXACT_ROUNDS || (self.rounds > 0 && added > most) {
             for &s in &self.set {
-                let near = if self.new.contains(&s) {
-                    known.union(&hot)
-                } else {
-                    hot.union(&hot)
-                };
-                let passed = near.filter(|v| passes(s.map(position), position(**v)));
+                let ends = s.map(position);
+                let passed = self.vertices.iter().filter(|v| passes(ends, position(**v)));
                 cuts.extend(passed.map(|&v| (s, v)));
             }
         }
@@ -309,7 +299,6 @@ impl Naive {
             pieces.extend(chain.windows(2).map(|pair| sorted([pair[0], pair[1]])));
             self.set.remove(&s);
         }
-        self.new = pieces.difference(&self.set).copied().collect();
         self.set.extend(pieces);
     }
 }
