@@ -202,11 +202,11 @@ fn check_result(domain: &Domain, is_deep: bool, seed: u64) -> Result<(), String>
     check_sound(&domain.pslg, &t)?;
     let threads = if is_deep { 3 } else { 1 };
     check_canonical(domain, &t, threads, &mut Random::new(seed))?;
-    if !is_deep {
-        return Ok(());
+    if is_deep {
+        check_naive(domain, &t)?;
+        check_verified(domain, &t)?;
     }
-    check_verified(domain, &t)?;
-    check_naive(domain, &t)
+    Ok(())
 }
 
 impl Case for Domain {
@@ -321,7 +321,7 @@ mod tests {
             |d| d.pslg.regions.len() > 1,
             |d| d.pslg.polygons.len() > 1,
             |d| d.pslg.segments.iter().any(|[a, b]| a == b),
-            |d| d.triangulate(1).is_ok_and(|t| t.num_crossings() > 5),
+            |d| d.triangulate(1).is_ok_and(|t| t.num_crossings() > 2),
         ];
         for (i, is_of_sort) in sorts.iter().enumerate() {
             let count = (0..1000).filter(|&seed| is_of_sort(&domain(seed))).count();
