@@ -10,7 +10,7 @@
 //! two moves them across the third, at an angle so small that the next crossing is far away, and so on
 //! along the whole length: each round adds half as many vertices again as the last, until, after some
 //! 2⁵⁰, the grid is full. If there are too many rounds or vertices, subsegments are therefore also cut
-//! at the vertices that they pass up to rounding, the new crossings included: snap rounding (Hobby
+//! at the places of crossings that they pass up to rounding, new ones included: snap rounding (Hobby
 //! 1999; Guibas and Marimont 1998), which leaves no crossing at all on a uniform grid, and on the grid
 //! of `f64` in all tests after a few more rounds. Where it begins depends on the set alone, too.
 
@@ -41,6 +41,8 @@ pub(super) struct Rounds<'a> {
     index: Option<Index>,
     /// For each added vertex the first pair of segments that cross there.
     crossings: Vec<[u32; 2]>,
+    /// Points of the input that crossings were rounded to.
+    struck: Vec<u32>,
     /// Rounds that have cut something.
     round: usize,
     /// Vertices added by the first round.
@@ -107,6 +109,7 @@ impl<'a> Rounds<'a> {
             loose,
             index: None,
             crossings: Vec::new(),
+            struck: Vec::new(),
             round: 0,
             added_first: 0,
             done: 0,
@@ -142,13 +145,14 @@ impl<'a> Rounds<'a> {
         self.round >= EXACT_ROUNDS || (self.round > 0 && self.vertices.added.len() > most)
     }
 
-    /// Adds the vertices that subsegments pass, up to rounding, to the cuts. This looks at all pairs, old
-    /// ones too: the rounds before did not.
+    /// Adds the places of crossings that subsegments pass, up to rounding, to the cuts. This looks at all
+    /// pairs, old ones too: the rounds before did not.
     fn snap(&self, cuts: &mut Vec<Cut>) -> Option<()> {
-        let input = self.list.iter().map(|v| v.raw());
         let added = self.vertices.num_input() as u32..self.vertices.len() as u32;
-        let all: Vec<u32> = input.chain(added).collect();
-        let tree = tree_of_points(&self.vertices, &all, self.workers);
+        let mut places: Vec<u32> = self.struck.iter().copied().chain(added).collect();
+        places.sort_unstable();
+        places.dedup();
+        let tree = tree_of_points(&self.vertices, &places, self.workers);
         let passed = self
             .sweep()
             .leaves(&tree, |leaf, query, cuts: &mut Vec<Cut>| {
@@ -279,8 +283,9 @@ impl<'a> Rounds<'a> {
     fn vertex_at(&mut self, at: Point, pair: [u32; 2]) -> u32 {
         let index = self.index.as_mut().expect("bug: no index");
         if let Some(v) = index.get(at) {
-            if let Some(added) = (v as usize).checked_sub(self.vertices.num_input()) {
-                self.crossings[added] = self.crossings[added].min(pair);
+            match (v as usize).checked_sub(self.vertices.num_input()) {
+                Some(added) => self.crossings[added] = self.crossings[added].min(pair),
+                None => self.struck.push(v),
             }
             return v;
         }

@@ -3,7 +3,7 @@
 //! In each round every pair of pieces is tried, O(m²), and every vertex against every piece. All
 //! cuts of a round are found before any is made; a crossing is an exact rational point, rounded to
 //! the nearest `f64` in each coordinate. If rounds add too many vertices, pieces are also cut at
-//! all vertices that they pass up to rounding.
+//! the places of crossings that they pass up to rounding.
 
 use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
@@ -46,6 +46,7 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
     let mut rounds = Rounds {
         num_input: places.len(),
         places,
+        struck: Places::new(),
         lines,
         added_first: 0,
         number: 0,
@@ -57,6 +58,8 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
 /// The state between two rounds.
 struct Rounds {
     places: Places,
+    /// The places of crossings.
+    struck: Places,
     num_input: usize,
     lines: Vec<Vec<Point>>,
     added_first: usize,
@@ -69,8 +72,9 @@ impl Rounds {
         let pieces = pieces(&self.lines);
         let crossings = crossings(&pieces);
         let known = self.places.clone();
-        let added = crossings.values().flatten().map(|&p| (bits(p), p));
-        self.places.extend(added);
+        let struck = crossings.values().flatten().map(|&p| (bits(p), p));
+        self.struck.extend(struck);
+        self.places.extend(&self.struck);
         let stops = |(&key, &piece): (&Key, &Ends)| {
             let crossings = crossings.get(&key).into_iter().flatten();
             let on_it = known.values().filter(|&&p| is_inside(piece, p));
@@ -101,10 +105,10 @@ impl Rounds {
         self.number >= EXACT_ROUNDS || is_growing
     }
 
-    /// Cuts at all vertices that are passed up to rounding too.
+    /// Cuts at the places of crossings that are passed up to rounding too.
     fn snap(&self, pieces: &BTreeMap<Key, Ends>, cuts: &mut Cuts) {
         for (key, &piece) in pieces {
-            let passed = self.places.values().filter(|&&p| passes(piece, p));
+            let passed = self.struck.values().filter(|&&p| passes(piece, p));
             let line = through(piece, passed.chain(&cuts[key]));
             cuts.insert(*key, line);
         }

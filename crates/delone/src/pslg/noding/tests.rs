@@ -224,6 +224,8 @@ impl Noded {
 struct Naive {
     vertices: BTreeSet<Key>,
     set: BTreeSet<[Key; 2]>,
+    /// The places of crossings.
+    struck: BTreeSet<Key>,
     rounds: usize,
     input: usize,
     added_first: usize,
@@ -251,6 +253,7 @@ impl Naive {
             input: vertices.len(),
             vertices,
             set,
+            struck: BTreeSet::new(),
             rounds: 0,
             added_first: 0,
         }
@@ -265,6 +268,7 @@ impl Naive {
             cuts.extend(self.vertices.iter().copied().filter(on).map(|v| (s, v)));
             let crossing = |t: &[Key; 2]| crossing_point(ends, t.map(position)).map(key);
             let crossings: Vec<Key> = self.set.iter().filter_map(crossing).collect();
+            self.struck.extend(&crossings);
             cuts.extend(crossings.into_iter().map(|v| (s, v)));
         }
         self.vertices.extend(cuts.iter().map(|&(_, v)| v));
@@ -277,7 +281,7 @@ impl Naive {
         if self.rounds >= EXACT_ROUNDS || (self.rounds > 0 && added > most) {
             for &s in &self.set {
                 let ends = s.map(position);
-                let passed = self.vertices.iter().filter(|v| passes(ends, position(**v)));
+                let passed = self.struck.iter().filter(|v| passes(ends, position(**v)));
                 cuts.extend(passed.map(|&v| (s, v)));
             }
         }
