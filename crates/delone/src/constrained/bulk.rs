@@ -10,6 +10,7 @@
 use super::carve::flood;
 use super::corridor::Inserter;
 use super::draft::Draft;
+use super::insert::Edge;
 use super::names::Names;
 use super::side::{Beyond, Side};
 use crate::delaunay::Curve;
@@ -92,17 +93,17 @@ impl Model {
 
     /// Makes the edges around the side constrained, inserting those of the rim that are missing.
     fn constrain_rim(&mut self, inserter: &mut Inserter) {
-        self.draft.constrain(self.base());
+        self.draft.constrain(self.base(), true);
         let mut missing = Vec::new();
         for &[from, to] in &self.rim {
             match self.draft.find_edge(from, to) {
-                Ok(h) => self.draft.constrain(h),
-                Err(_) => missing.push([from, to]),
+                Ok(h) => self.draft.constrain(h, true),
+                Err(ends) => missing.push(Edge { ends, is_odd: true }),
             }
         }
         let mut through = Vec::new();
-        for ends in missing {
-            let inserted = inserter.insert(&mut self.draft, ends, &mut through);
+        for edge in missing {
+            let inserted = inserter.insert(&mut self.draft, edge, &mut through);
             inserted.expect("bug: edges do not cross");
         }
         debug_assert!(through.is_empty(), "bug: a vertex lies inside of an edge");

@@ -22,6 +22,7 @@
 
 use super::bulk;
 use super::draft::{Ahead, Draft};
+use super::insert::Edge;
 use super::side::Side;
 use crate::predicates::{Orientation, orient2d};
 use crate::{HalfEdgeId, TriangleId, VertexId};
@@ -45,7 +46,9 @@ pub(super) struct Inserter {
     left: Side,
     right: Side,
     suspects: Vec<HalfEdgeId>,
-    /// Segments inserted and faces rebuilt since somebody asked.
+    /// Whether an odd number of segments runs along the edge that is being inserted.
+    is_odd: bool,
+    /// Edges inserted, vertices passed and faces rebuilt since somebody asked.
     work: usize,
     /// How many bulk triangulations this one is part of.
     depth: u32,
@@ -69,28 +72,30 @@ impl Inserter {
         is_due
     }
 
-    /// Inserts the segment from `a` to `b`, which differ, and adds the vertices that it runs through to
-    /// `through`. When it is blocked, part of it may be in.
+    /// Inserts an edge, whose ends differ, and adds the vertices that it runs through to `through`. When
+    /// it is blocked, part of it may be in.
     ///
     /// Works from both ends, always from the one with fewer edges: turning round a vertex with many is
     /// what costs.
     pub fn insert(
         &mut self,
         draft: &mut Draft,
-        [a, b]: [VertexId; 2],
+        edge: Edge,
         through: &mut Vec<VertexId>,
     ) -> Result<(), Blocked> {
         self.work += 1;
         let mut later = Vec::new();
-        let [mut first, mut last] = [a, b];
+        let [mut first, mut last] = edge.ends;
+        self.is_odd = edge.is_odd;
         loop {
             let [from, to] = match draft.find_edge(first, last) {
                 Ok(h) => {
-                    draft.constrain(h);
+                    draft.constrain(h, self.is_odd);
                     break;
                 }
                 Err(ends) => ends,
             };
+            self.work += 1;
             let next = self.advance(draft, from, to)?;
             if next == to {
                 break;
@@ -116,7 +121,7 @@ impl Inserter {
     ) -> Result<VertexId, Blocked> {
         match draft.ahead(from, draft.point(to)) {
             Ahead::Along(h) => {
-                draft.constrain(h);
+                draft.constrain(h, self.is_odd);
                 Ok(draft.mesh.dest(h))
             }
             Ahead::Across(h) => self.insert_across(draft, from, to, h),
@@ -152,7 +157,7 @@ impl Inserter {
         let right = self.right.fill(a, draft, &mut faces, &mut self.suspects);
         let left = self.left.fill(end, draft, &mut faces, &mut self.suspects);
         draft.mesh.bond(left, right);
-        draft.constrain(left);
+        draft.constrain(left, self.is_odd);
         let budget = self.budget();
         draft.legalise(&mut self.suspects, budget)
     }
@@ -161,8 +166,8 @@ impl Inserter {
     fn budget(&self) -> usize {
         match self.faces.len() {
             _ if self.depth == MAX_DEPTH => usize::MAX,
-            // Both ways lead to the same triangles. Debug builds take the rare one often, for the tests.
-            n if cfg!(debug_assertions) && n % 2 == 0 => 0,
+            // Both ways lead to the same triangles. The tests beside take the rare one often.
+            n if cfg!(test) && n % 2 == 0 => 0,
             n => FLIPS_PER_FACE * n,
         }
     }
@@ -174,7 +179,7 @@ impl Inserter {
         let right = bulk::fill(&self.right, a, draft, &mut faces, self.nested());
         let left = bulk::fill(&self.left, end, draft, &mut faces, self.nested());
         draft.mesh.bond(left, right);
-        draft.constrain(left);
+        draft.constrain(left, self.is_odd);
     }
 
     /// Lists the triangles of the corridor and the edges along its sides; of the draft it marks the
@@ -271,7 +276,8 @@ mod tests {
 
     fn insert(draft: &mut Draft, ends: [VertexId; 2]) -> Result<Vec<VertexId>, Blocked> {
         let mut through = Vec::new();
-        Inserter::default().insert(draft, ends, &mut through)?;
+        let is_odd = true;
+        Inserter::default().insert(draft, Edge { ends, is_odd }, &mut through)?;
         Ok(through)
     }
 

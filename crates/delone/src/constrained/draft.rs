@@ -173,11 +173,11 @@ impl Draft {
         self.outgoing[b.index()] = g;
     }
 
-    /// Adds a segment that runs along the edge of `h`.
+    /// Constrains the edge of `h`, along which run segments, an odd number of them or not.
     #[inline]
-    pub fn constrain(&mut self, h: HalfEdgeId) {
-        self.marks.add_segment(h);
-        self.marks.add_segment(self.mesh.twin(h));
+    pub fn constrain(&mut self, h: HalfEdgeId, is_odd: bool) {
+        self.marks.add_segments(h, is_odd);
+        self.marks.add_segments(self.mesh.twin(h), is_odd);
     }
 
     /// Tells on which side of the edge of `h` lies `p`; its face lies to the left.
@@ -231,9 +231,9 @@ impl Marks {
     }
 
     #[inline]
-    fn add_segment(&mut self, h: HalfEdgeId) {
+    fn add_segments(&mut self, h: HalfEdgeId, is_odd: bool) {
         let byte = &mut self.0[h.triangle().index()];
-        *byte = (*byte | 1 << h.slot()) ^ 8 << h.slot();
+        *byte = (*byte | 1 << h.slot()) ^ u8::from(is_odd) << (3 + h.slot());
     }
 
     /// Forgets what is known of the edges of a face.
@@ -333,9 +333,9 @@ pub(super) mod tests {
         let (mut draft, v) = draft(&corners);
         let sides = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|ends| ends.map(&v));
         let find = |draft: &Draft, [a, b]: [VertexId; 2]| draft.find_edge(a, b).unwrap();
-        draft.constrain(find(&draft, sides[0]));
-        draft.constrain(find(&draft, sides[2]));
-        draft.constrain(find(&draft, sides[2]));
+        draft.constrain(find(&draft, sides[0]), true);
+        draft.constrain(find(&draft, sides[2]), true);
+        draft.constrain(find(&draft, sides[2]), true);
         let diagonal = [[0, 2], [1, 3]].map(|ends| ends.map(&v));
         let mut h = diagonal
             .into_iter()

@@ -1,6 +1,6 @@
 //! Between the numbering of the caller and that of the draft.
 
-use super::insert::Cut;
+use super::insert::{Cut, Edge};
 use super::segments::undirected;
 use crate::delaunay::{CurveParts, duplicates, sort_by_high_half};
 use crate::parallel::Workers;
@@ -46,23 +46,30 @@ impl Names {
         self.callers[self.positions[v.index()].index()]
     }
 
-    /// Turns edges of the caller into edges of the draft, the lower number first, in the order of the
-    /// curve; those of no length are left out. `None` if the watch cancelled.
+    /// Turns edges of the caller into edges of the draft, in the order of the curve; those of no length
+    /// are left out, equal ones are one. `None` if the watch cancelled.
     pub fn edges(
         &self,
         edges: impl Iterator<Item = [VertexId; 2]>,
         workers: Workers,
         watch: &dyn Watch,
-    ) -> Option<Vec<[VertexId; 2]>> {
+    ) -> Option<Vec<Edge>> {
         let keys = edges.map(|edge| {
             let [a, b] = undirected(edge.map(|v| self.positions[v.index()]));
             u64::from(a.raw()) << 32 | u64::from(b.raw())
         });
         let keys = keys.filter(|&key| key >> 32 != key & 0xffff_ffff).collect();
         let bits = usize::BITS - self.positions.len().leading_zeros();
-        let sorted = sort_by_high_half(keys, bits, workers, watch)?;
-        let ends = |key: u64| [(key >> 32) as u32, key as u32].map(VertexId::from);
-        Some(sorted.into_iter().map(ends).collect())
+        let mut sorted = sort_by_high_half(keys, bits, workers, watch)?;
+        for fan in sorted.chunk_by_mut(|a, b| a >> 32 == b >> 32) {
+            fan.sort_unstable();
+        }
+        let runs = sorted.chunk_by(|a, b| a == b);
+        let edge = |run: &[u64]| Edge {
+            ends: [(run[0] >> 32) as u32, run[0] as u32].map(VertexId::from),
+            is_odd: run.len() % 2 == 1,
+        };
+        Some(runs.map(edge).collect())
     }
 
     /// Lists the vertices in the caller's numbering, ascending.

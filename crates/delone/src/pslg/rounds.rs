@@ -9,10 +9,11 @@
 //! *Cascades.* Where three or more segments run within a unit in the last place of each other, cutting
 //! two moves them across the third, at an angle so small that the next crossing is far away, and so on
 //! along the whole length: each round adds half as many vertices again as the last, until, after some
-//! 2⁵⁰, the grid is full. If there are too many rounds or vertices, subsegments are therefore also cut
-//! at the places of crossings that they pass up to rounding, new ones included: snap rounding (Hobby
-//! 1999; Guibas and Marimont 1998), which leaves no crossing at all on a uniform grid, and on the grid
-//! of `f64` in all tests after a few more rounds. Where it begins depends on the set alone, too.
+//! 2⁵⁰, the grid is full. A round that finds too many crossings, or comes too late, therefore cuts
+//! subsegments at the places of earlier crossings that they pass up to rounding, and places crossings
+//! only if nothing is passed any more: snap rounding (Hobby 1999; Guibas and Marimont 1998), which leaves
+//! no crossing at all on a uniform grid, and on the grid of `f64` in all tests after a few more rounds.
+//! Which rounds these are depends on the set alone, too.
 
 use super::boxes::BoxTree;
 use super::meeting::{Ends, Meeting, meet};
@@ -45,20 +46,21 @@ pub(super) struct Rounds<'a> {
     struck: Vec<u32>,
     /// Rounds that have cut something.
     round: usize,
-    /// Vertices added by the first round.
-    added_first: usize,
+    /// In how many places the first round found crossings.
+    first_places: usize,
+    /// Crossings found in a cascade, to be placed when nothing is left to snap.
+    waiting: Vec<Crossing>,
     /// Leaves visited so far.
     done: u64,
     workers: Workers,
     watch: &'a dyn Watch,
 }
 
-/// Rounds that cut only at what is found by exact signs. Random segments need two or three.
-pub(super) const EXACT_ROUNDS: usize = 4;
-
-/// More added vertices than this, when the first round adds `first`, show a cascade.
-pub(super) fn most_added(first: usize) -> usize {
-    4 * first + 64
+/// Tells whether a round, counted from 0, that finds crossings in so many places is part of a cascade,
+/// when the first round found them in `first`. Where segments do not run within rounding of each other,
+/// hardly one crossing in a thousand makes another, and two or three rounds are enough.
+pub(super) fn is_cascade(round: usize, places: usize, first: usize) -> bool {
+    round >= 4 || (round > 0 && places > first / 8 + 8)
 }
 
 /// What one job has found.
@@ -111,7 +113,8 @@ impl<'a> Rounds<'a> {
             crossings: Vec::new(),
             struck: Vec::new(),
             round: 0,
-            added_first: 0,
+            first_places: 0,
+            waiting: Vec::new(),
             done: 0,
             workers,
             watch,
@@ -120,29 +123,33 @@ impl<'a> Rounds<'a> {
 
     /// Makes one round; true if something was cut, `None` if the watch cancelled.
     pub fn step(&mut self) -> Option<bool> {
-        let (mut cuts, crossings) = self.search()?;
-        self.place(crossings, &mut cuts)?;
-        if cuts.is_empty() {
-            return Some(false);
-        }
+        let (mut cuts, found) = self.search()?;
+        let mut crossings = std::mem::take(&mut self.waiting);
+        crossings.retain(|c| !c.pair.iter().any(|&s| self.pieces.is_cut(s)));
+        crossings.extend(found);
+        crossings.sort_unstable_by(|a, b| a.at.lex_cmp(&b.at).then(a.pair.cmp(&b.pair)));
         if self.watch.is_cancelled() {
             return None;
         }
-        if self.is_cascade() {
+        let places = crossings.chunk_by(|a, b| a.at == b.at).count();
+        if self.round == 0 {
+            self.first_places = places;
+        }
+        let is_cascade = is_cascade(self.round, places, self.first_places);
+        if is_cascade {
             self.snap(&mut cuts)?;
+        }
+        if is_cascade && !cuts.is_empty() {
+            self.waiting = crossings;
+        } else {
+            self.place(&crossings, &mut cuts)?;
+        }
+        if cuts.is_empty() {
+            return Some(false);
         }
         self.cut(cuts)?;
         self.round += 1;
-        if self.round == 1 {
-            self.added_first = self.vertices.added.len();
-        }
         Some(true)
-    }
-
-    /// Tells whether rounds are about to go on for ever.
-    fn is_cascade(&self) -> bool {
-        let most = most_added(self.added_first);
-        self.round >= EXACT_ROUNDS || (self.round > 0 && self.vertices.added.len() > most)
     }
 
     /// Adds the places of crossings that subsegments pass, up to rounding, to the cuts. This looks at all
@@ -256,12 +263,11 @@ impl<'a> Rounds<'a> {
             && orient2d(a, b, self.vertices.at(v)) == Orientation::Collinear
     }
 
-    /// Turns crossings into cuts at vertices, new ones where there are none.
-    fn place(&mut self, mut crossings: Vec<Crossing>, cuts: &mut Vec<Cut>) -> Option<()> {
+    /// Turns crossings, sorted by place, into cuts at vertices, new ones where there are none.
+    fn place(&mut self, crossings: &[Crossing], cuts: &mut Vec<Cut>) -> Option<()> {
         if crossings.is_empty() {
             return Some(());
         }
-        crossings.sort_unstable_by(|a, b| a.at.lex_cmp(&b.at).then(a.pair.cmp(&b.pair)));
         if self.index.is_none() {
             let list = self.list.iter().map(|v| v.raw());
             self.index = Some(Index::new(&self.vertices, list, self.watch)?);

@@ -2,8 +2,8 @@
 //!
 //! In each round every pair of pieces is tried, O(m²), and every vertex against every piece. All
 //! cuts of a round are found before any is made; a crossing is an exact rational point, rounded to
-//! the nearest `f64` in each coordinate. If rounds add too many vertices, pieces are also cut at
-//! the places of crossings that they pass up to rounding.
+//! the nearest `f64` in each coordinate. In a cascade of crossings, pieces are first cut at
+//! the places of earlier ones that they pass up to rounding.
 
 use super::facts::bits;
 use super::pairs::{Ends, cross, is_inside};
@@ -29,12 +29,15 @@ impl NaiveNoding {
     }
 }
 
-/// After so many rounds, pieces are cut at what they pass up to rounding.
-const EXACT_ROUNDS: usize = 4;
+/// Tells whether a round, counted from 0, that finds crossings in so many places is part of a cascade,
+/// when the first round found them in `first`.
+fn is_cascade(number: usize, places: usize, first: usize) -> bool {
+    number >= 4 || (number > 0 && places > first / 8 + 8)
+}
 
-/// And so they are if there are more added vertices than this, given how many the first round added.
-fn most_added(first: usize) -> usize {
-    4 * first + 64
+/// Tells whether no piece is cut.
+fn is_done(cuts: &Cuts) -> bool {
+    cuts.values().all(|line| line.len() == 2)
 }
 
 /// Cuts segments until they meet only at shared ends. Coordinates must be finite.
@@ -44,11 +47,10 @@ pub fn naive_noding(points: &[Point], segments: &[[VertexId; 2]]) -> NaiveNoding
     let mut lines: Vec<Vec<Point>> = ends.map(|[a, b]| [a, b].to_vec()).collect();
     lines.iter_mut().for_each(|line| line.dedup());
     let mut rounds = Rounds {
-        num_input: places.len(),
         places,
         struck: Places::new(),
         lines,
-        added_first: 0,
+        first_places: 0,
         number: 0,
     };
     while rounds.step() {}
@@ -60,9 +62,8 @@ struct Rounds {
     places: Places,
     /// The places of crossings.
     struck: Places,
-    num_input: usize,
     lines: Vec<Vec<Point>>,
-    added_first: usize,
+    first_places: usize,
     number: usize,
 }
 
@@ -71,38 +72,35 @@ impl Rounds {
     fn step(&mut self) -> bool {
         let pieces = pieces(&self.lines);
         let crossings = crossings(&pieces);
-        let known = self.places.clone();
-        let struck = crossings.values().flatten().map(|&p| (bits(p), p));
-        self.struck.extend(struck);
-        self.places.extend(&self.struck);
         let stops = |(&key, &piece): (&Key, &Ends)| {
-            let crossings = crossings.get(&key).into_iter().flatten();
-            let on_it = known.values().filter(|&&p| is_inside(piece, p));
-            (key, through(piece, on_it.chain(crossings)))
+            let on_it = self.places.values().filter(|&&p| is_inside(piece, p));
+            (key, through(piece, on_it))
         };
         let mut cuts: Cuts = pieces.iter().map(stops).collect();
-        if cuts.values().all(|line| line.len() == 2) {
-            return false;
+        let struck: Places = crossings
+            .values()
+            .flatten()
+            .map(|&p| (bits(p), p))
+            .collect();
+        if self.number == 0 {
+            self.first_places = struck.len();
         }
-        if self.is_cascade() {
+        let is_cascade = is_cascade(self.number, struck.len(), self.first_places);
+        if is_cascade {
             self.snap(&pieces, &mut cuts);
         }
-        if self.number == 0 {
-            self.added_first = self.num_added();
+        if !is_cascade || is_done(&cuts) {
+            for (key, crossings) in &crossings {
+                let line = through(pieces[key], crossings.iter().chain(&cuts[key]));
+                cuts.insert(*key, line);
+            }
+            self.places.extend(&struck);
+            self.struck.extend(struck);
         }
         let lines = self.lines.iter().map(|line| replaced(line, &cuts));
         self.lines = lines.collect();
         self.number += 1;
-        true
-    }
-
-    fn num_added(&self) -> usize {
-        self.places.len() - self.num_input
-    }
-
-    fn is_cascade(&self) -> bool {
-        let is_growing = self.number > 0 && self.num_added() > most_added(self.added_first);
-        self.number >= EXACT_ROUNDS || is_growing
+        !is_done(&cuts)
     }
 
     /// Cuts at the places of crossings that are passed up to rounding too.

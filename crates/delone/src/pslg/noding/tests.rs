@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::predicates::{cross_properly, crossing_point, passes};
-use crate::pslg::rounds::{EXACT_ROUNDS, most_added};
+use crate::pslg::rounds::is_cascade;
 use std::collections::BTreeSet;
 
 /// A small generator (splitmix64), so that failures repeat.
@@ -227,8 +227,7 @@ struct Naive {
     /// The places of crossings.
     struck: BTreeSet<Key>,
     rounds: usize,
-    input: usize,
-    added_first: usize,
+    first_places: usize,
 }
 
 fn position(key: Key) -> Point {
@@ -250,47 +249,46 @@ impl Naive {
         let ends = ends.map(|ends| sorted(ends.map(|v| key(drawing.points[v]))));
         let set: BTreeSet<_> = ends.filter(|[a, b]| a != b).collect();
         Self {
-            input: vertices.len(),
             vertices,
             set,
             struck: BTreeSet::new(),
             rounds: 0,
-            added_first: 0,
+            first_places: 0,
         }
     }
 
     /// Makes one round; false if there is nothing to cut.
     fn step(&mut self) -> bool {
         let mut cuts: BTreeSet<([Key; 2], Key)> = BTreeSet::new();
+        let mut crossings: BTreeSet<([Key; 2], Key)> = BTreeSet::new();
         for &s in &self.set {
             let ends = s.map(position);
             let on = |v: &Key| is_between(ends[0], ends[1], position(*v));
             cuts.extend(self.vertices.iter().copied().filter(on).map(|v| (s, v)));
             let crossing = |t: &[Key; 2]| crossing_point(ends, t.map(position)).map(key);
-            let crossings: Vec<Key> = self.set.iter().filter_map(crossing).collect();
-            self.struck.extend(&crossings);
-            cuts.extend(crossings.into_iter().map(|v| (s, v)));
+            crossings.extend(self.set.iter().filter_map(crossing).map(|v| (s, v)));
         }
-        self.vertices.extend(cuts.iter().map(|&(_, v)| v));
-        cuts.retain(|(s, v)| !s.contains(v));
-        if cuts.is_empty() {
-            return false;
+        let places: BTreeSet<Key> = crossings.iter().map(|&(_, v)| v).collect();
+        if self.rounds == 0 {
+            self.first_places = places.len();
         }
-        let added = self.vertices.len() - self.input;
-        let most = most_added(self.added_first);
-        if self.rounds >= EXACT_ROUNDS || (self.rounds > 0 && added > most) {
+        let is_cascade = is_cascade(self.rounds, places.len(), self.first_places);
+        if is_cascade {
             for &s in &self.set {
                 let ends = s.map(position);
                 let passed = self.struck.iter().filter(|v| passes(ends, position(**v)));
                 cuts.extend(passed.map(|&v| (s, v)));
             }
         }
-        self.cut(&cuts);
-        self.rounds += 1;
-        if self.rounds == 1 {
-            self.added_first = added;
+        if !is_cascade || cuts.is_empty() {
+            self.vertices.extend(&places);
+            self.struck.extend(places);
+            cuts.extend(crossings);
+            cuts.retain(|(s, v)| !s.contains(v));
         }
-        true
+        self.cut(&cuts);
+        self.rounds += usize::from(!cuts.is_empty());
+        !cuts.is_empty()
     }
 
     fn cut(&mut self, cuts: &BTreeSet<([Key; 2], Key)>) {
