@@ -69,6 +69,22 @@ pub enum Error {
         /// Number of segments.
         segments: usize,
     },
+    /// The ranges of two polygons have segments in common.
+    #[error("polygons {} and {} share segment {segment}; give each its own", polygons[0], polygons[1])]
+    SharedSegment {
+        /// Indices of the polygons.
+        polygons: [usize; 2],
+        /// Index of a segment that both have.
+        segment: usize,
+    },
+    /// The largest area of a region is not a positive number.
+    #[error("the largest area of region {region} is {max_area}: it must be positive, or left out")]
+    BadArea {
+        /// Index of the region.
+        region: usize,
+        /// The area given.
+        max_area: f64,
+    },
     /// A polygon is not closed.
     #[error(
         "polygon {polygon} is not closed: an odd number of its segments end in point {vertex} at ({}, {})",

@@ -63,9 +63,24 @@ pub(crate) fn with_workers<R: Send>(
             threads: rayon::current_num_threads(),
         })),
         Some(0 | 1) => Ok(work(Workers::ONE)),
+        Some(threads) => with_pool(threads.min(MOST_THREADS), work),
+    }
+}
+
+/// No machine gains from more threads, and starting them by the ten thousand stalls any.
+#[cfg(feature = "rayon")]
+const MOST_THREADS: usize = 1024;
+
+/// Runs `work` in a pool of so many threads.
+#[cfg(feature = "rayon")]
+fn with_pool<R: Send>(
+    threads: usize,
+    work: impl FnOnce(Workers) -> R + Send,
+) -> Result<R, crate::Error> {
+    match threads {
         // The surrounding pool is the pool asked for: no need to start another.
-        Some(threads) if threads == rayon::current_num_threads() => Ok(work(Workers { threads })),
-        Some(threads) => {
+        threads if threads == rayon::current_num_threads() => Ok(work(Workers { threads })),
+        threads => {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
                 .build()

@@ -142,9 +142,8 @@ fn no_points_one_and_two() {
         if !points.is_empty() {
             pslg.add_segment(0, last);
             pslg.add_segment(last, 0);
-            pslg.polygons = [0..1, 1..2]
-                .map(|r| if last == 0 { r } else { 0..2 })
-                .to_vec();
+            let middle = if last == 0 { 1 } else { 2 };
+            pslg.polygons = vec![0..middle, middle..2];
             pslg.holes = vec![Point::new(9.0, 9.0)];
             assert_right(&pslg, true);
         }
@@ -514,6 +513,13 @@ fn errors_name_the_culprit() {
     assert!(matches!(bad, Error::BadPolygon { polygon: 1, .. }));
     let mut pslg = squares(&[4.0]);
     pslg.polygons = vec![0..4, 1..4];
+    let shared = refuse(pslg.clone(), DomainRule::EvenOdd);
+    let expected = Error::SharedSegment {
+        polygons: [0, 1],
+        segment: 1,
+    };
+    assert_eq!(shared, expected);
+    pslg.polygons = vec![0..0, 1..4];
     let open = refuse(pslg, DomainRule::EvenOdd);
     assert!(matches!(open, Error::OpenPolygon { polygon: 1, .. }));
     let mut pslg = squares(&[4.0]);

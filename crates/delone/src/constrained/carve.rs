@@ -42,7 +42,7 @@ pub(super) fn carve(
     };
     places.carve_holes(rule, seeds.0, &mut outside, &mut warnings)?;
     let is_empty = !outside.contains(&false);
-    if is_empty && rule != DomainRule::Hull {
+    if is_empty && draft.mesh.triangles().next().is_some() {
         warnings.push(Warning::Empty);
     }
     let region_of = places.find_regions(seeds.1, &outside, &mut warnings)?;

@@ -58,6 +58,7 @@ pub(super) fn hand_out(
         chains,
         crossings,
         warnings: carving.warnings,
+        along: Default::default(),
     })
 }
 

@@ -1,4 +1,19 @@
 //! The canonical constrained Delaunay triangulation of a domain.
+//!
+//! ```text
+//! Pslg ── Curve ──> draft ── find, insert ──> segments in ── carve ──> domain ── export ──> result
+//!                     └── two segments cross: refuse, or node all of them and begin again
+//! ```
+//!
+//! The points are triangulated first; everything after that works in their numbering along the curve,
+//! where neighbours in the plane are neighbours in memory, and with one half-edge at each vertex nothing
+//! is ever searched for. Segments that are edges already are recognised (on all threads), for the
+//! others the corridor is cleared and its two sides are triangulated anew. A triangulation in which every
+//! edge is a segment or locally Delaunay, under the symbolic perturbation, is the only one (Lee and Lin,
+//! *Generalized Delaunay triangulation for planar graphs*, 1986), so order and threads play no part.
+//!
+//! *Cost*: in practice a fifth to a half more than the Delaunay triangulation of the points, if segments
+//! are short; two of those, and the noding, if segments cross.
 
 mod build;
 mod bulk;
@@ -67,7 +82,7 @@ impl<'w> ConstrainedDelaunay<'w> {
         Self { options, ..self }
     }
 
-    /// Uses `threads` threads (0 means 1); the result is the same for any number.
+    /// Uses `threads` threads (0 means 1, and at most 1024); the result is the same for any number.
     ///
     /// Without the feature `rayon` there is only the caller's thread.
     pub fn threads(self, threads: usize) -> Self {

@@ -1,7 +1,9 @@
 //! The result: a triangulation, what is constrained in it, and where everything comes from.
 
+use super::segments::undirected;
 use crate::pslg::Chains;
 use crate::{HalfEdgeId, Point, Region, TriangleId, Triangulation, VertexId};
+use std::sync::OnceLock;
 
 /// Where a vertex comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,9 +19,10 @@ pub enum Origin {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Warning {
-    /// The rule leaves nothing of the domain.
+    /// Rule and holes leave nothing of the convex hull.
     #[error(
-        "nothing is left: the segments enclose no area; close the outline, or keep the convex hull"
+        "nothing is left: the segments enclose no area, or holes take all of it; close the outline, or \
+         keep the convex hull"
     )]
     Empty,
     /// A hole seed lies where there is no domain to carve.
@@ -67,12 +70,19 @@ pub struct ConstrainedTriangulation {
     /// For each vertex added at a crossing the segments that cross there.
     pub(super) crossings: Vec<[u32; 2]>,
     pub(super) warnings: Vec<Warning>,
+    /// The edges along segments with those segments, sorted; made when first asked for.
+    pub(super) along: OnceLock<Vec<([VertexId; 2], u32)>>,
 }
 
 impl ConstrainedTriangulation {
     /// Returns points, triangles of the domain, and mesh.
     pub fn triangulation(&self) -> &Triangulation {
         &self.triangulation
+    }
+
+    /// Keeps the triangulation alone.
+    pub fn into_triangulation(self) -> Triangulation {
+        self.triangulation
     }
 
     /// Tells whether the edge of `h` is part of a segment.
@@ -96,11 +106,40 @@ impl ConstrainedTriangulation {
 
     /// Returns the vertices along a segment of the input, from its first end to its second. Equal
     /// points are represented by the one of lowest index; a segment of no length has one vertex.
+    ///
+    /// # Panics
+    /// If there is no such segment.
     pub fn chain(&self, segment: usize) -> &[VertexId] {
         self.chains.get(segment).unwrap_or(&self.segments[segment])
     }
 
+    /// Visits the segments of the input along the edge of `h`, ascending, each as often as it runs there.
+    ///
+    /// *Cost*: O(m log m) for m edges of segments at the first call, then logarithmic.
+    pub fn segments_along(&self, h: HalfEdgeId) -> impl Iterator<Item = usize> + '_ {
+        let mesh = self.triangulation.mesh();
+        let edge = undirected([mesh.origin(h), mesh.dest(h)]);
+        let table = self.along.get_or_init(|| self.edges_with_segments());
+        let start = table.partition_point(|&(e, _)| e < edge);
+        let of_edge = table[start..].iter().take_while(move |&&(e, _)| e == edge);
+        of_edge.map(|&(_, segment)| segment as usize)
+    }
+
+    /// Lists the edges along all segments with those segments, sorted.
+    fn edges_with_segments(&self) -> Vec<([VertexId; 2], u32)> {
+        let of_segment = |segment: usize| {
+            let edges = self.chain(segment).windows(2);
+            edges.map(move |pair| (undirected([pair[0], pair[1]]), segment as u32))
+        };
+        let mut table: Vec<_> = (0..self.segments.len()).flat_map(of_segment).collect();
+        table.sort_unstable();
+        table
+    }
+
     /// Returns where vertex `v` comes from.
+    ///
+    /// # Panics
+    /// If `v` is no vertex of the result.
     pub fn origin(&self, v: VertexId) -> Origin {
         match v.index().checked_sub(self.num_input_points()) {
             None => Origin::Input(v),
@@ -132,5 +171,37 @@ impl ConstrainedTriangulation {
     /// Returns what is worth a word.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ConstrainedDelaunay, Pslg, SegmentPolicy};
+
+    /// A square crossed by both diagonals, with one side drawn twice.
+    #[test]
+    fn lineage_leads_both_ways() {
+        let mut pslg = Pslg::from_points([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
+        pslg.add_ring([0, 1, 2, 3]);
+        for [a, b] in [[0, 2], [3, 1], [1, 0]] {
+            pslg.add_segment(a, b);
+        }
+        let cutting = ConstrainedDelaunay::new().crossings(SegmentPolicy::Split);
+        let t = cutting.triangulate(pslg).unwrap();
+        assert_eq!((t.num_crossings(), t.chain(4).len()), (1, 3));
+        let mesh = t.triangulation().mesh();
+        for h in mesh.half_edges() {
+            let along: Vec<usize> = t.segments_along(h).collect();
+            assert_eq!(t.is_constrained(h), !along.is_empty());
+            let ends = [mesh.origin(h), mesh.dest(h)];
+            for segment in along {
+                let mut steps = t.chain(segment).windows(2);
+                assert!(steps.any(|s| s.contains(&ends[0]) && s.contains(&ends[1])));
+            }
+        }
+        let h = mesh
+            .half_edges()
+            .find(|&h| [mesh.origin(h), mesh.dest(h)] == [0.into(), 1.into()]);
+        assert!(t.segments_along(h.unwrap()).eq([0, 6]));
     }
 }

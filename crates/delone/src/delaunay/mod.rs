@@ -65,7 +65,7 @@ impl<'w> Delaunay<'w> {
         }
     }
 
-    /// Uses `threads` threads (0 means 1); the result is the same for any number.
+    /// Uses `threads` threads (0 means 1, and at most 1024); the result is the same for any number.
     ///
     /// Without the feature `rayon` there is only the caller's thread.
     pub fn threads(self, threads: usize) -> Self {

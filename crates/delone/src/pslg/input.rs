@@ -20,6 +20,15 @@ pub(crate) fn check(pslg: &Pslg) -> Result<(), Error> {
             return Err(Error::SeedNotFinite { seed, at });
         }
     }
+    check_areas(pslg)
+}
+
+fn check_areas(pslg: &Pslg) -> Result<(), Error> {
+    for (region, max_area) in pslg.regions.iter().map(|r| r.max_area).enumerate() {
+        if let Some(max_area) = max_area.filter(|&area| area.is_nan() || area <= 0.0) {
+            return Err(Error::BadArea { region, max_area });
+        }
+    }
     Ok(())
 }
 
@@ -42,6 +51,7 @@ pub(super) fn check_segments(segments: &[[VertexId; 2]], points: usize) -> Resul
     Ok(())
 }
 
+/// Requires that polygons are ranges of segments, and have none in common.
 fn check_polygons(pslg: &Pslg) -> Result<(), Error> {
     let segments = pslg.segments.len();
     for (polygon, range) in pslg.polygons.iter().enumerate() {
@@ -53,7 +63,18 @@ fn check_polygons(pslg: &Pslg) -> Result<(), Error> {
             });
         }
     }
-    Ok(())
+    let mut order: Vec<usize> = (0..pslg.polygons.len()).collect();
+    order.retain(|&i| !pslg.polygons[i].is_empty());
+    order.sort_unstable_by_key(|&i| (pslg.polygons[i].start, i));
+    let shared = order.array_windows().find_map(|&[i, j]| {
+        let segment = pslg.polygons[j].start;
+        let is_shared = segment < pslg.polygons[i].end;
+        is_shared.then_some(([i, j], segment))
+    });
+    match shared {
+        Some((polygons, segment)) => Err(Error::SharedSegment { polygons, segment }),
+        None => Ok(()),
+    }
 }
 
 /// Requires that each polygon is closed: in every position an even number of its segments end.
@@ -107,6 +128,12 @@ mod tests {
         let Err(Error::BadPolygon { polygon: 1, .. }) = check(&pslg) else {
             panic!("a range beyond the end");
         };
+        pslg.polygons = Vec::from([0..3, 2..4]);
+        let shared = Error::SharedSegment {
+            polygons: [0, 1],
+            segment: 2,
+        };
+        assert_eq!(check(&pslg), Err(shared));
         pslg.polygons.clear();
         pslg.polygons.push(0..4);
         assert_eq!(require_closed(&pslg), Ok(()));
@@ -124,6 +151,20 @@ mod tests {
         pslg.add_polyline([0, 1, 2, 3]);
         pslg.polygons.push(0..3);
         assert_eq!(require_closed(&pslg), Ok(()));
+    }
+
+    #[test]
+    fn areas_must_be_positive() {
+        let mut pslg = square();
+        let (at, attribute) = (Point::new(0.5, 0.5), 1.0);
+        for (max_area, is_right) in [(None, true), (Some(0.1), true), (Some(0.0), false)] {
+            pslg.regions = vec![crate::Region {
+                at,
+                attribute,
+                max_area,
+            }];
+            assert_eq!(check(&pslg).is_ok(), is_right);
+        }
     }
 
     #[test]
