@@ -29,8 +29,9 @@ pub enum Phase {
 /// Someone who watches long work: is told how far it has come, and may stop it.
 ///
 /// The methods are called from several threads, many times a second; work ends within 100 ms of
-/// [`is_cancelled`](Self::is_cancelled) saying so. Only the last merges and the export of tens of
-/// millions of points on one convex curve, whose hull is everything, go longer without asking.
+/// [`is_cancelled`](Self::is_cancelled) saying so. Longer without asking go only the last merges and the
+/// export of tens of millions of points on one convex curve, whose hull is everything; one single
+/// segment that crosses a million edges; and the sorting of millions of crossings.
 pub trait Watch: Sync {
     /// Told that `done` of `total` units of `phase` are finished; calls may come out of order.
     fn progress(&self, phase: Phase, done: u64, total: u64) {
