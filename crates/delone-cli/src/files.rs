@@ -282,6 +282,7 @@ pub fn unwritable(error: Error) -> Failure {
         {
             Failure::BrokenPipe
         }
+        Error::Unsupported { .. } => Failure::Usage(error.to_string()),
         _ => Failure::NotReached(error.to_string()),
     }
 }

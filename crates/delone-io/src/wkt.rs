@@ -109,6 +109,7 @@ pub(crate) fn read_domain(
     let mut reader = Reader {
         text: Text::new(bytes, watch),
         shapes: Shapes::default(),
+        positions: 0,
     };
     match reader.read_all() {
         Ok(0) => Err(malformed(Place::File, Problem::Empty)),
@@ -124,6 +125,8 @@ pub(crate) fn read_domain(
 struct Reader<'a> {
     text: Text<'a>,
     shapes: Shapes,
+    /// Positions read so far, for messages.
+    positions: u64,
 }
 
 impl<'a> Reader<'a> {
@@ -260,6 +263,7 @@ impl<'a> Reader<'a> {
 
     fn position(&mut self, tag: Tag) -> Result<Position, Stop> {
         let point = Point::new(self.coordinate('x')?, self.coordinate('y')?);
+        self.positions += 1;
         let (mut numbers, mut count) = ([f64::NAN; 2], 0);
         while let Token::Number(word) = self.text.next()? {
             let number = scan::number(word).ok_or_else(|| Problem::NotANumber {
@@ -284,11 +288,9 @@ impl<'a> Reader<'a> {
 
     fn coordinate(&mut self, axis: char) -> Result<f64, Stop> {
         match self.text.next()? {
-            Token::Number(word) | Token::Word(word) => Ok(scan::coordinate(
-                word,
-                axis,
-                self.shapes.num_points() as u64,
-            )?),
+            Token::Number(word) | Token::Word(word) => {
+                Ok(scan::coordinate(word, axis, self.positions)?)
+            }
             token => Err(self.unexpected("a number", token)),
         }
     }

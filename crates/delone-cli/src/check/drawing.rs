@@ -5,7 +5,9 @@ use crate::exit::Failure;
 use crate::numbering::Numbering;
 use crate::progress::Progress;
 use delone::check::{DomainMesh, Verdict, verify_domain};
-use delone::{DomainRule, Pslg};
+use delone::{
+    ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Point, Pslg, SegmentPolicy,
+};
 use delone_io::{DomainData, MeshData, Source};
 
 /// A domain, and what it means.
@@ -32,9 +34,38 @@ impl Drawing {
 
     /// Verifies that `mesh` is the triangulation of this domain.
     pub fn verify(&self, mesh: &MeshData, progress: &Progress) -> Result<Verdict, Failure> {
-        let edges = mesh.constraints.as_ref().map_or(&[][..], |c| &c.edges);
-        let claim = DomainMesh::new(&mesh.vertices.points, &mesh.triangles, edges);
-        verify_domain(&self.pslg, DomainRule::from(self.rule), &claim, progress)
-            .map_err(|error| self.numbering.failure(error))
+        let edges = mesh.constraints.as_ref().map(|c| &c.edges[..]);
+        if edges.is_none() && !self.pslg.segments.is_empty() {
+            return Err(Failure::BadInput(
+                "the mesh holds no segments, so it cannot be checked against a domain; name one as \
+                 .ele with its .poly, or as .vtu"
+                    .to_owned(),
+            ));
+        }
+        let (points, rule) = (&mesh.vertices.points, DomainRule::from(self.rule));
+        let claim = DomainMesh::new(points, &mesh.triangles, edges.unwrap_or_default());
+        let lineage = self.lineage(points, progress);
+        let verdict = match &lineage {
+            Some(t) => {
+                let chains = |segment| t.chain(segment);
+                verify_domain(&self.pslg, rule, &claim.with_chains(&chains), progress)
+            }
+            None => verify_domain(&self.pslg, rule, &claim, progress),
+        };
+        verdict.map_err(|error| self.numbering.failure(error))
+    }
+
+    /// Makes up for the chains of segments, which no file holds: where segments run side by side within
+    /// rounding, several chains fit. The verifier trusts these no more than the rest of the claim.
+    fn lineage(&self, points: &[Point], progress: &Progress) -> Option<ConstrainedTriangulation> {
+        if points.len() == self.pslg.points.len() {
+            return None;
+        }
+        let builder = ConstrainedDelaunay::new().crossings(SegmentPolicy::Split);
+        let t = builder
+            .watch(progress)
+            .triangulate(self.pslg.clone())
+            .ok()?;
+        (t.triangulation().points() == points).then_some(t)
     }
 }
