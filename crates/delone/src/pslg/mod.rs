@@ -16,6 +16,7 @@ mod pieces;
 mod rings;
 mod rounds;
 mod search;
+mod slabs;
 mod vertices;
 
 pub(crate) use chains::Chains;
