@@ -17,6 +17,7 @@ mod rings;
 mod rounds;
 mod search;
 mod slabs;
+mod sorting;
 mod vertices;
 
 pub(crate) use chains::Chains;
