@@ -369,3 +369,24 @@ fn doubles_are_those_stated_of_nasty_files() {
     }
     assert!(doubles >= 7, "{doubles} doubles");
 }
+
+/// Boxes of long edges side by side all overlap: this took half a minute.
+#[test]
+fn many_nested_diamonds_take_no_time() {
+    let rings = 20_000_u32;
+    let mut drawing = Pslg::default();
+    for i in 0..rings {
+        let r = f64::from(i + 1);
+        let corners = [(r, 0.0), (0.0, 0.4142 * r), (-r, 0.0), (0.0, -0.4142 * r)];
+        drawing.points.extend(corners.map(Point::from));
+        for k in 0..4 {
+            drawing.add_segment(4 * i + k, 4 * i + (k + 1) % 4);
+        }
+    }
+    let facts = drawing.facts(usize::MAX, &()).unwrap();
+    assert!(facts.is_clean());
+    assert!(facts.rings.iter().enumerate().all(|(i, ring)| {
+        let around = rings as usize - 1 - i;
+        ring.depth == around && ring.parent == (around > 0).then_some(i + 1)
+    }));
+}

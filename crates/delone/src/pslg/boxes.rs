@@ -1,19 +1,24 @@
-//! Which of many boxes overlap: a packed tree over them, in the order of a space-filling curve.
+//! Which of many segments may meet: a packed tree over them, in the order of a space-filling curve.
 //!
 //! A packed R-tree (Kamel and Faloutsos, *On packing R-trees*, 1993), its boxes cut off at the
 //! corners: besides x and y they bound x + y and x − y, because axis-parallel boxes of diagonal
 //! segments overlap even where the segments are far apart. The bounds of sums are of the *rounded*
-//! sums: rounding is monotone, so boxes of sets with a common point overlap.
+//! sums: rounding is monotone, so boxes of sets with a common point overlap. Nodes also have a strip
+//! along what they hold (`slabs.rs`), for long segments side by side in any direction.
 //!
-//! *Cost*: O(n log n) to build, with 73 bytes a box; a query in practice O(log n) and what it finds.
-//! Long segments of one slope, neither axis-parallel nor diagonal, side by side, can still cost a
-//! query O(n).
+//! *Cost*: O(n log n) to build, with 50 bytes a segment; a query in practice O(log n) and what it
+//! finds.
 
+use super::slabs::Slab;
 use crate::Point;
 use crate::parallel::Workers;
+use std::ops::Range;
 
 /// Children of an inner node.
 const FAN: usize = 8;
+
+/// Nodes over more segments than this have no strip: they are few, and making theirs takes long.
+const LARGEST_STRIP: usize = FAN.pow(4);
 
 /// Bounds of x, y, x + y and x − y.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +74,11 @@ impl Octagon {
         }
     }
 
+    fn of_segments(segments: &[[Point; 2]]) -> Self {
+        let boxes = segments.iter().map(|&ends| Self::of_segment(ends));
+        boxes.fold(Self::EMPTY, |all, b| all.union(&b))
+    }
+
     fn union_of(boxes: &[Self]) -> Self {
         boxes.iter().fold(Self::EMPTY, |all, b| all.union(b))
     }
@@ -81,31 +91,56 @@ impl Octagon {
         })
     }
 
+    /// The diagonals of the bounds of x and y.
+    #[inline]
+    fn diagonals(&self) -> [[Point; 2]; 2] {
+        let [[x, y, ..], [u, v, ..]] = [self.least, self.largest];
+        [[(x, y), (u, v)], [(x, v), (u, y)]].map(|ends| ends.map(Point::from))
+    }
+
     /// The middle in x and y, halved so that it cannot overflow.
     fn half_middle(&self) -> [f64; 2] {
         [0, 1].map(|k| self.least[k] / 4.0 + self.largest[k] / 4.0)
     }
 }
 
-/// Boxes in curve order, and above them the boxes of each `FAN` of them, and so on up to one.
+/// A number of segments that follow each other in the order, or of nodes.
+#[derive(Clone, Copy)]
+struct Node {
+    bounds: Octagon,
+    slab: Slab,
+}
+
+/// Segments in curve order, and above them nodes for each `FAN` of them, and so on up to one.
 pub(super) struct BoxTree {
-    /// What the caller calls each box.
+    /// What the caller calls each segment.
     items: Vec<u32>,
-    /// The boxes of the items, then of the nodes, level by level.
-    levels: Vec<Vec<Octagon>>,
+    ends: Vec<[Point; 2]>,
+    /// The leaves, then the nodes above them, level by level.
+    levels: Vec<Vec<Node>>,
 }
 
 impl BoxTree {
-    /// Packs items with their boxes.
-    pub fn new(items: &[u32], bounds: impl Fn(u32) -> Octagon + Sync, workers: Workers) -> Self {
+    /// Packs items with the ends of their segments; a point has itself for both.
+    pub fn new(items: &[u32], ends: impl Fn(u32) -> [Point; 2] + Sync, workers: Workers) -> Self {
+        let bounds = |i: u32| Octagon::of_segment(ends(i));
         let items = in_curve_order(items, &bounds, workers);
-        let chunks = items.chunks(workers.chunk_len(items.len(), 1)).collect();
-        let of_items = |items: &[u32]| items.iter().map(|&i| bounds(i)).collect::<Vec<_>>();
-        let mut levels = vec![workers.map(chunks, of_items).concat()];
-        while let Some(below) = levels.last().filter(|level| level.len() > 1) {
-            levels.push(below.chunks(FAN).map(Octagon::union_of).collect());
+        let ends: Vec<_> = items.iter().map(|&i| ends(i)).collect();
+        let mut bounds: Vec<_> = ends.chunks(FAN).map(Octagon::of_segments).collect();
+        let (mut levels, mut reach) = (Vec::new(), FAN);
+        loop {
+            levels.push(nodes(&bounds, &ends, reach, workers));
+            if bounds.len() <= 1 {
+                break;
+            }
+            bounds = bounds.chunks(FAN).map(Octagon::union_of).collect();
+            reach *= FAN;
         }
-        Self { items, levels }
+        Self {
+            items,
+            ends,
+            levels,
+        }
     }
 
     /// Returns the items, those that are close to each other in the plane mostly close in the list.
@@ -115,16 +150,16 @@ impl BoxTree {
 
     /// Counts the leaves: groups of items that are close to each other.
     pub fn num_leaves(&self) -> usize {
-        self.items.len().div_ceil(FAN)
+        self.levels[0].len()
     }
 
     /// Returns the positions of the items of a leaf.
-    fn leaf(&self, leaf: usize) -> std::ops::Range<usize> {
+    fn leaf(&self, leaf: usize) -> Range<usize> {
         FAN * leaf..(FAN * leaf + FAN).min(self.items.len())
     }
 
     /// Visits every pair of items whose boxes overlap, the first of them in `leaf`, the second one
-    /// later in the order, as long as `visit` returns true.
+    /// later in the order, as long as `visit` returns true. It may leave out some that do not meet.
     pub fn pairs(
         &self,
         leaf: usize,
@@ -135,7 +170,7 @@ impl BoxTree {
     }
 
     /// Visits every pair of an item in `leaf` and an item of another tree whose boxes overlap, as long
-    /// as `visit` returns true.
+    /// as `visit` returns true. It may leave out some that do not meet.
     pub fn pairs_with(
         &self,
         leaf: usize,
@@ -155,80 +190,102 @@ impl BoxTree {
         mut visit: impl FnMut(u32, u32) -> bool,
     ) -> bool {
         let own = self.leaf(leaf);
-        let bounds = Octagon::union_of(&self.levels[0][own.clone()]);
-        let from = if LATER { own.start } else { 0 };
-        other.leaves_overlapping(&bounds, from / FAN, stack, |range| {
+        let boxes = self.boxes(leaf);
+        let from = if LATER { leaf } else { 0 };
+        let shape = (&self.levels[0][leaf], &self.ends[own.clone()]);
+        other.leaves_meeting(shape, from, stack, |leaf| {
+            let others = other.boxes(leaf);
+            let range = other.leaf(leaf);
             own.clone().all(|i| {
-                let bounds = &self.levels[0][i];
+                let bounds = &boxes[i - own.start];
                 let start = if LATER {
                     range.start.max(i + 1)
                 } else {
                     range.start
                 };
                 (start..range.end).all(|j| {
-                    !bounds.overlaps(&other.levels[0][j]) || visit(self.items[i], other.items[j])
+                    !bounds.overlaps(&others[j - range.start])
+                        || visit(self.items[i], other.items[j])
                 })
             })
+        })
+    }
+
+    /// Bounds the items of a leaf. They are not kept: that would double the memory.
+    #[inline]
+    fn boxes(&self, leaf: usize) -> [Octagon; FAN] {
+        let ends = &self.ends[self.leaf(leaf)];
+        std::array::from_fn(|k| {
+            ends.get(k)
+                .map_or(Octagon::EMPTY, |&ends| Octagon::of_segment(ends))
         })
     }
 
     /// Visits items whose boxes reach over or below `p`, those that reach higher mostly first. `visit`
     /// returns the ordinate below which nothing is of interest any more.
     pub fn below(&self, p: Point, stack: &mut Stack, mut visit: impl FnMut(u32) -> f64) {
-        let mut floor = f64::NEG_INFINITY;
         let top = self.levels.len() - 1;
+        let Some(root) = self.levels[top].first() else {
+            return;
+        };
+        // What is of interest meets the upright line from p down to the floor.
+        let down_to = |floor: f64| {
+            let line = [p, Point::new(p.x, floor.min(p.y))];
+            (Node::of(&[line]), [line])
+        };
+        let mut line = down_to(root.bounds.least[1]);
         stack.0.clear();
-        stack
-            .0
-            .extend((0..self.levels[top].len()).map(|node| (top, node)));
+        stack.0.push((top, 0));
         while let Some((level, node)) = stack.0.pop() {
-            let Octagon { least, largest } = &self.levels[level][node];
-            let is_over = least[0] <= p.x && p.x <= largest[0] && least[1] <= p.y;
-            if !is_over || largest[1] < floor {
+            if !self.levels[level][node].may_meet((&line.0, &line.1)) {
                 continue;
             }
             if level == 0 {
-                floor = visit(self.items[node]);
+                let boxes = self.boxes(node);
+                for (i, bounds) in self.leaf(node).zip(&boxes) {
+                    if bounds.overlaps(&line.0.bounds) {
+                        let floor = visit(self.items[i]);
+                        line = down_to(floor.max(root.bounds.least[1]));
+                    }
+                }
                 continue;
             }
             let first = stack.0.len();
             let below = &self.levels[level - 1];
             let children = FAN * node..(FAN * node + FAN).min(below.len());
             stack.0.extend(children.map(|child| (level - 1, child)));
-            let height = |node: usize| below[node].largest[1].min(p.y);
+            let height = |node: usize| {
+                let Node { bounds, slab } = &below[node];
+                bounds.largest[1].min(p.y).min(slab.top(p.x))
+            };
             stack.0[first..].sort_by(|a, b| height(a.1).total_cmp(&height(b.1)));
         }
     }
 
-    /// Visits the leaves from number `from` on whose boxes overlap `bounds`, as ranges of positions,
-    /// as long as `visit` returns true.
-    fn leaves_overlapping(
+    /// Visits the leaves from number `from` on that may meet something, as long as `visit` returns true.
+    fn leaves_meeting(
         &self,
-        bounds: &Octagon,
+        shape: Shape,
         from: usize,
         stack: &mut Stack,
-        mut visit: impl FnMut(std::ops::Range<usize>) -> bool,
+        mut visit: impl FnMut(usize) -> bool,
     ) -> bool {
         let top = self.levels.len() - 1;
-        if self.items.is_empty() {
-            return true;
-        }
         stack.0.clear();
-        stack.0.push((top, 0));
+        stack.0.extend(self.levels[top].first().map(|_| (top, 0)));
         while let Some((level, node)) = stack.0.pop() {
-            if !bounds.overlaps(&self.levels[level][node]) {
+            if !self.levels[level][node].may_meet(shape) {
                 continue;
             }
-            if level <= 1 {
-                // With a single item there is no level of leaves.
-                if !visit(self.leaf(if level == 1 { node } else { 0 })) {
+            if level == 0 {
+                if !visit(node) {
                     return false;
                 }
                 continue;
             }
             let children = FAN * node..(FAN * node + FAN).min(self.levels[level - 1].len());
             // The last leaf below a child tells whether all of it comes too early.
-            let leaves_below = FAN.pow(level as u32 - 2);
+            let leaves_below = FAN.pow(level as u32 - 1);
             let first = children.start.max(from / leaves_below);
             stack
                 .0
@@ -236,6 +293,41 @@ impl BoxTree {
         }
         true
     }
+}
+
+/// Segments, and their bounds.
+type Shape<'a> = (&'a Node, &'a [[Point; 2]]);
+
+impl Node {
+    fn of(segments: &[[Point; 2]]) -> Self {
+        Self {
+            bounds: Octagon::of_segments(segments),
+            slab: Slab::of(segments),
+        }
+    }
+
+    #[inline]
+    fn may_meet(&self, (other, segments): Shape) -> bool {
+        self.bounds.overlaps(&other.bounds)
+            && self.slab.may_hold(segments)
+            && other.slab.may_hold(&self.bounds.diagonals())
+    }
+}
+
+/// Makes the nodes of one level, each over `reach` segments.
+fn nodes(bounds: &[Octagon], ends: &[[Point; 2]], reach: usize, workers: Workers) -> Vec<Node> {
+    let length = workers.chunk_len(ends.len(), 1).next_multiple_of(reach);
+    let jobs = ends.chunks(length).zip(bounds.chunks(length / reach));
+    let made = workers.map(jobs.collect(), |(ends, bounds)| {
+        let nodes = ends.chunks(reach).zip(bounds);
+        let node = |(ends, &bounds): (&[_], &Octagon)| {
+            let is_low = reach <= LARGEST_STRIP;
+            let slab = if is_low { Slab::of(ends) } else { Slab::PLANE };
+            Node { bounds, slab }
+        };
+        nodes.map(node).collect::<Vec<_>>()
+    });
+    made.concat()
 }
 
 /// Nodes still to be visited, kept between queries.
@@ -301,8 +393,9 @@ fn hilbert(mut x: u32, mut y: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::predicates::orient2d;
 
-    fn scattered(n: usize, size: f64) -> Vec<Octagon> {
+    fn scattered(n: usize, size: f64) -> Vec<[Point; 2]> {
         let mut state = 1_u64;
         let mut unit = move || {
             state = state
@@ -313,26 +406,53 @@ mod tests {
         let mut segment = || {
             let [x, y] = [unit(), unit()];
             let end = Point::new(x + size * (unit() - 0.5), y + size * (unit() - 0.5));
-            Octagon::of_segment([Point::new(x, y), end])
+            [Point::new(x, y), end]
         };
         (0..n).map(|_| segment()).collect()
     }
 
-    fn tree(boxes: &[Octagon], first: u32) -> BoxTree {
-        let items: Vec<u32> = (first..first + boxes.len() as u32).collect();
-        BoxTree::new(&items, |i| boxes[(i - first) as usize], Workers::ONE)
+    fn tree(segments: &[[Point; 2]], first: u32) -> BoxTree {
+        let items: Vec<u32> = (first..first + segments.len() as u32).collect();
+        BoxTree::new(&items, |i| segments[(i - first) as usize], Workers::ONE)
     }
 
-    fn naive(a: &[Octagon], b: &[Octagon], first: usize) -> Vec<[u32; 2]> {
+    /// Tells whether two segments cross, roughly: the random ones do not come close to touching.
+    fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+        orient2d(a, b, c) != orient2d(a, b, d) && orient2d(c, d, a) != orient2d(c, d, b)
+    }
+
+    /// All pairs of which `is_wanted` is true.
+    fn naive(
+        a: &[[Point; 2]],
+        b: &[[Point; 2]],
+        first: usize,
+        is_wanted: impl Fn([Point; 2], [Point; 2]) -> bool,
+    ) -> Vec<[u32; 2]> {
         let mut pairs = Vec::new();
-        for (i, p) in a.iter().enumerate() {
-            for (j, q) in b.iter().enumerate() {
-                if p.overlaps(q) {
+        for (i, &p) in a.iter().enumerate() {
+            for (j, &q) in b.iter().enumerate() {
+                if is_wanted(p, q) {
                     pairs.push([i as u32, (j + first) as u32]);
                 }
             }
         }
         pairs
+    }
+
+    /// Requires that sorted pairs are different, have boxes that overlap, and hold all that cross.
+    fn check(found: &[[u32; 2]], a: &[[Point; 2]], b: &[[Point; 2]], first: usize) {
+        let overlap = |p, q| Octagon::of_segment(p).overlaps(&Octagon::of_segment(q));
+        let possible = naive(a, b, first, overlap);
+        let crossing = naive(a, b, first, cross);
+        assert!(found.is_sorted_by(|p, q| p < q));
+        assert!(
+            found
+                .iter()
+                .all(|pair| possible.binary_search(pair).is_ok())
+        );
+        let is_found = |pair: &[u32; 2]| found.binary_search(pair).is_ok();
+        let mut later = crossing.iter().filter(|[i, j]| i < j);
+        assert!(later.all(is_found));
     }
 
     #[test]
@@ -346,8 +466,8 @@ mod tests {
             (65, 0.3),
             (700, 0.1),
         ] {
-            let boxes = scattered(n, size);
-            let tree = tree(&boxes, 0);
+            let segments = scattered(n, size);
+            let tree = tree(&segments, 0);
             let mut found = Vec::new();
             let mut stack = Stack::default();
             for leaf in 0..tree.num_leaves() {
@@ -357,9 +477,7 @@ mod tests {
                 });
             }
             found.sort_unstable();
-            let mut expected = naive(&boxes, &boxes, 0);
-            expected.retain(|[i, j]| i < j);
-            assert_eq!(found, expected, "{n} boxes");
+            check(&found, &segments, &segments, 0);
         }
     }
 
@@ -376,7 +494,7 @@ mod tests {
                 });
             }
             found.sort_unstable();
-            assert_eq!(found, naive(a, b, 1000));
+            check(&found, a, b, 1000);
         }
     }
 
@@ -397,8 +515,8 @@ mod tests {
         let points = ladder
             .iter()
             .flat_map(|&x| ladder.map(|y| Point::new(x, y)));
-        let boxes: Vec<_> = points.clone().map(Octagon::of_point).collect();
-        let tree = tree(&boxes, 0);
+        let dots: Vec<_> = points.clone().map(|p| [p; 2]).collect();
+        let tree = tree(&dots, 0);
         for (i, p) in points.enumerate() {
             let mut found = Vec::new();
             tree.below(p, &mut Stack::default(), |j| {
@@ -420,16 +538,25 @@ mod tests {
     }
 
     #[test]
-    fn diagonals_side_by_side_do_not_overlap() {
-        let diagonal = |i: u32| {
-            let x = f64::from(i);
-            Octagon::of_segment([Point::new(x, 0.0), Point::new(x + 1e4, 1e4)])
-        };
-        let items: Vec<u32> = (0..5000).collect();
-        let tree = BoxTree::new(&items, diagonal, Workers::ONE);
-        let mut stack = Stack::default();
-        for leaf in 0..tree.num_leaves() {
-            assert!(tree.pairs(leaf, &mut stack, |_, _| false));
+    fn long_segments_side_by_side_are_not_paired() {
+        for slope in [0.0, 1.0, -1.0, 0.4142, -2.5, 1e6] {
+            let line = |i: u32| {
+                let d = f64::from(i);
+                // Side by side across the slope.
+                let [x, y] = [-slope * d, d];
+                [Point::new(x, y), Point::new(x + 1e4, y + slope * 1e4)]
+            };
+            let items: Vec<u32> = (0..5000).collect();
+            let tree = BoxTree::new(&items, line, Workers::ONE);
+            let (mut stack, mut pairs) = (Stack::default(), 0);
+            for leaf in 0..tree.num_leaves() {
+                tree.pairs(leaf, &mut stack, |_, _| {
+                    pairs += 1;
+                    true
+                });
+            }
+            // Those in one leaf, and a few besides.
+            assert!(pairs < 40_000, "slope {slope}: {pairs}");
         }
     }
 }

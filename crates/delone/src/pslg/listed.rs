@@ -43,7 +43,7 @@ impl<K: Ord> First<K> {
         self.count += 1;
         self.kept.push(key);
         // Sorted once in a while, each key costs O(log limit).
-        if self.kept.len() > 2 * self.limit.max(32) {
+        if self.kept.len() > self.limit.max(32).saturating_mul(2) {
             self.shorten();
         }
     }
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn the_least_are_kept_and_all_are_counted() {
-        for limit in [0, 1, 7, 100, 2000] {
+        for limit in [0, 1, 7, 100, 2000, usize::MAX] {
             let mut first = First::of(limit, (0..500).map(|i| i * 37 % 500));
             first.join(First::of(limit, (500..1000).rev()));
             let listed = first.listed(|i| i);

@@ -16,6 +16,8 @@ mod pieces;
 mod rings;
 mod rounds;
 mod search;
+mod slabs;
+mod sorting;
 mod vertices;
 
 pub(crate) use chains::Chains;

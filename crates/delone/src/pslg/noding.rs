@@ -50,7 +50,7 @@ pub(crate) fn node(
 ) -> Option<Noding> {
     let mut rounds = Rounds::new(points, vertices, segments, workers, watch)?;
     while rounds.step()? {}
-    Some(rounds.finish())
+    rounds.finish()
 }
 
 /// Two segments that cross in a point that is no vertex, and that point, rounded.

@@ -2,8 +2,10 @@
 
 use super::Chains;
 use super::meeting::Ends;
+use super::sorting::sort;
 use super::vertices::Vertices;
-use crate::{Point, VertexId};
+use crate::parallel::Workers;
+use crate::{Point, VertexId, Watch};
 
 /// All subsegments that have ever been: those that were cut have pieces, the others are whole.
 #[derive(Default)]
@@ -48,19 +50,25 @@ impl Pieces {
     }
 
     /// Enters subsegments, given by ends and owner, and returns the number of each; equal ones, also
-    /// those already there, have the same. `num_vertices` is more than any end.
+    /// those already there, have the same. `num_vertices` is more than any end. `None` if the watch cancelled.
     pub fn intern(
         &mut self,
         given: impl Iterator<Item = (Ends, u32)>,
         num_vertices: usize,
-    ) -> Vec<u32> {
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Option<Vec<u32>> {
         let mut entries: Vec<Entry> = given
             .enumerate()
             .map(|(slot, (ends, owner))| Entry { ends, owner, slot })
             .collect();
-        entries.sort_unstable_by_key(|e| (e.ends, e.owner, e.slot));
+        let key = |e: &Entry| (e.ends, e.owner, e.slot);
+        sort(&mut entries, |a, b| key(a).cmp(&key(b)), workers, watch)?;
         let groups: Vec<&[Entry]> = entries.chunk_by(|a, b| a.ends == b.ends).collect();
         let known = self.known(&groups, num_vertices);
+        if watch.is_cancelled() {
+            return None;
+        }
         let mut numbers = vec![0; entries.len()];
         for (group, known) in groups.into_iter().zip(known) {
             let number = match known {
@@ -75,7 +83,7 @@ impl Pieces {
                 numbers[entry.slot] = number;
             }
         }
-        numbers
+        Some(numbers)
     }
 
     fn push(&mut self, ends: Ends, owner: u32) -> u32 {
@@ -109,8 +117,14 @@ impl Pieces {
     }
 
     /// Replaces subsegments by their pieces, all at once. `cuts` are subsegments and vertices to cut
-    /// them at, sorted, none twice.
-    pub fn cut(&mut self, cuts: &[[u32; 2]], vertices: &Vertices) {
+    /// them at, sorted, none twice. `None` if the watch cancelled: then the pieces are not to be used any more.
+    pub fn cut(
+        &mut self,
+        cuts: &[[u32; 2]],
+        vertices: &Vertices,
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Option<()> {
         let mut pieces: Vec<(Ends, u32)> = Vec::with_capacity(2 * cuts.len());
         let mut lengths = Vec::new();
         for group in cuts.chunk_by(|a, b| a[0] == b[0]) {
@@ -122,7 +136,7 @@ impl Pieces {
             // What is cut is no longer there for its pieces to equal.
             self.starts[s] = WHOLE - 1;
         }
-        let numbers = self.intern(pieces.into_iter(), vertices.len());
+        let numbers = self.intern(pieces.into_iter(), vertices.len(), workers, watch)?;
         let mut numbers = &numbers[..];
         for (s, length) in lengths {
             self.starts[s] = u32::try_from(self.lists.len()).expect("bug: 2³² pieces");
@@ -133,6 +147,7 @@ impl Pieces {
                     .expect("bug: a number is missing"),
             );
         }
+        Some(())
     }
 
     /// Returns the pieces of a subsegment, from its first end to its second; none if it is whole.
@@ -146,20 +161,24 @@ impl Pieces {
     }
 
     /// Collects the chains of the segments that were cut. `roots` has for each segment its ends and
-    /// its subsegment; `name` turns vertices into those of the result.
+    /// its subsegment; `name` turns vertices into those of the result. `None` if the watch cancelled.
     pub fn chains(
         &self,
         roots: impl Iterator<Item = (u32, u32)>,
         name: impl Fn(u32) -> VertexId,
-    ) -> Chains {
+        watch: &dyn Watch,
+    ) -> Option<Chains> {
         let mut chains = Chains::default();
         let mut stack = Vec::new();
         for (segment, (start, root)) in roots.enumerate() {
+            if segment.is_multiple_of(1 << 10) && watch.is_cancelled() {
+                return None;
+            }
             if self.is_cut(root) {
                 chains.push(segment, self.chain(start, root, &mut stack).map(&name));
             }
         }
-        chains
+        Some(chains)
     }
 
     /// Walks along the whole subsegments of `root` from its end `start`.

@@ -20,6 +20,7 @@ use super::meeting::{Ends, Meeting, meet};
 use super::noding::Noding;
 use super::pieces::Pieces;
 use super::search::{Query, Sweep, tree_of, tree_of_points};
+use super::sorting::sort;
 use super::vertices::{Index, Vertices};
 use crate::parallel::Workers;
 use crate::predicates::{Orientation, construct_crossing, orient2d, passes};
@@ -94,8 +95,7 @@ impl<'a> Rounds<'a> {
         let mut pieces = Pieces::default();
         let input = segments.iter().zip(0..);
         let input = input.map(|(&ends, i)| (vertices.sorted(ends.map(VertexId::raw)), i));
-        let roots = pieces.intern(input, vertices.len());
-        go_on()?;
+        let roots = pieces.intern(input, vertices.len(), workers, watch)?;
         let loose = loose_vertices(points.len(), list, segments);
         let loose = tree_of_points(&vertices, &loose, workers);
         go_on()?;
@@ -127,10 +127,8 @@ impl<'a> Rounds<'a> {
         let mut crossings = std::mem::take(&mut self.waiting);
         crossings.retain(|c| !c.pair.iter().any(|&s| self.pieces.is_cut(s)));
         crossings.extend(found);
-        crossings.sort_unstable_by(|a, b| a.at.lex_cmp(&b.at).then(a.pair.cmp(&b.pair)));
-        if self.watch.is_cancelled() {
-            return None;
-        }
+        let order = |a: &Crossing, b: &Crossing| a.at.lex_cmp(&b.at).then(a.pair.cmp(&b.pair));
+        sort(&mut crossings, order, self.workers, self.watch)?;
         let places = crossings.chunk_by(|a, b| a.at == b.at).count();
         if self.round == 0 {
             self.first_places = places;
@@ -272,7 +270,10 @@ impl<'a> Rounds<'a> {
             let list = self.list.iter().map(|v| v.raw());
             self.index = Some(Index::new(&self.vertices, list, self.watch)?);
         }
-        for group in crossings.chunk_by(|a, b| a.at == b.at) {
+        for (i, group) in crossings.chunk_by(|a, b| a.at == b.at).enumerate() {
+            if i.is_multiple_of(1 << 16) && self.watch.is_cancelled() {
+                return None;
+            }
             let pairs = group.iter().map(|c| self.pieces.owners_of(c.pair));
             let v = self.vertex_at(group[0].at, pairs.min().expect("bug: an empty group"));
             for s in group.iter().flat_map(|c| c.pair) {
@@ -304,10 +305,11 @@ impl<'a> Rounds<'a> {
 
     /// Replaces subsegments by the chains through their cuts, and packs what is new.
     fn cut(&mut self, mut cuts: Vec<Cut>) -> Option<()> {
-        cuts.sort_unstable();
+        sort(&mut cuts, Ord::cmp, self.workers, self.watch)?;
         cuts.dedup();
         let first = self.pieces.len() as u32;
-        self.pieces.cut(&cuts, &self.vertices);
+        self.pieces
+            .cut(&cuts, &self.vertices, self.workers, self.watch)?;
         if self.watch.is_cancelled() {
             return None;
         }
@@ -327,18 +329,22 @@ impl<'a> Rounds<'a> {
         Some(())
     }
 
-    /// Numbers the added vertices by x, then y, and reads off the chains.
-    pub fn finish(self) -> Noding {
+    /// Numbers the added vertices by x, then y, and reads off the chains; `None` if the watch
+    /// cancelled.
+    pub fn finish(self) -> Option<Noding> {
         let Self {
             vertices,
             pieces,
             crossings,
+            workers,
+            watch,
             ..
         } = self;
         let starts = self.segments.iter().map(|ends| ends[0].raw());
         let roots = starts.zip(self.roots);
         let mut order: Vec<usize> = (0..vertices.added.len()).collect();
-        order.sort_unstable_by(|&a, &b| vertices.added[a].lex_cmp(&vertices.added[b]));
+        let compare = |&a: &usize, &b: &usize| vertices.added[a].lex_cmp(&vertices.added[b]);
+        sort(&mut order, compare, workers, watch)?;
         let n = vertices.num_input();
         let mut names = vec![0; order.len()];
         for (name, &v) in order.iter().enumerate() {
@@ -346,11 +352,11 @@ impl<'a> Rounds<'a> {
         }
         let name =
             |v: u32| VertexId::new((v as usize).checked_sub(n).map_or(v as usize, |i| names[i]));
-        Noding {
+        Some(Noding {
             points: order.iter().map(|&v| vertices.added[v]).collect(),
             crossings: order.iter().map(|&v| crossings[v]).collect(),
-            chains: pieces.chains(roots, name),
-        }
+            chains: pieces.chains(roots, name, watch)?,
+        })
     }
 }
 

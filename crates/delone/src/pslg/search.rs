@@ -1,6 +1,6 @@
 //! Looking at all pairs of segments that are close to each other, on several threads.
 
-use super::boxes::{BoxTree, Octagon, Stack};
+use super::boxes::{BoxTree, Stack};
 use super::meeting::Ends;
 use super::vertices::Vertices;
 use crate::parallel::Workers;
@@ -15,13 +15,13 @@ pub(super) fn tree_of(
     ends: &[Ends],
     workers: Workers,
 ) -> BoxTree {
-    let bounds = |s: u32| Octagon::of_segment(ends[s as usize].map(|v| vertices.at(v)));
-    BoxTree::new(segments, bounds, workers)
+    let ends = |s: u32| ends[s as usize].map(|v| vertices.at(v));
+    BoxTree::new(segments, ends, workers)
 }
 
 /// Packs vertices into a tree.
 pub(super) fn tree_of_points(vertices: &Vertices, list: &[u32], workers: Workers) -> BoxTree {
-    BoxTree::new(list, |v| Octagon::of_point(vertices.at(v)), workers)
+    BoxTree::new(list, |v| [vertices.at(v); 2], workers)
 }
 
 /// A walk through the leaves of a tree, shared out over threads.
