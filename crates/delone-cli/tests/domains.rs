@@ -109,11 +109,23 @@ fn polygons_of_geojson_and_wkt_are_evenodd_and_lines_keep_the_hull() {
             "{file}"
         );
     }
+    // The .poly beside a mesh means the same domain by its own usual rule.
+    assert_eq!(json(&folder, "triangulate a.wkt -o mesh.ele")["hash"], hash);
+    assert_eq!(json(&folder, "triangulate mesh.poly")["hash"], hash);
     assert_eq!(json(&folder, "triangulate line.wkt")["triangles"], 2);
     assert_eq!(
         json(&folder, "triangulate a.wkt --domain hull")["triangles"],
         10
     );
+}
+
+#[test]
+fn a_mesh_without_segments_is_not_called_wrong() {
+    let folder = with(&[("holed.poly", HOLED)]);
+    folder.run("triangulate holed.poly -o mesh.npy -o mesh.vtu", 0);
+    folder.run("check mesh.vtu --domain holed.poly", 0);
+    let output = folder.run("check mesh.npy --domain holed.poly", 3);
+    output.says(&["holds no segments", ".vtu"]);
 }
 
 #[test]

@@ -48,6 +48,11 @@ impl Inherited {
             let marker_of = |i: usize| of_segments.as_ref().map_or(0, |markers| markers[i]);
             extend(result, markers, |_, [i, _], _| marker_of(i));
         }
+        // Holes by parity are named too, so that a .poly means the same domain under its usual rule.
+        let holes = match domain.holes {
+            none if none.is_empty() => result.hole_seeds(),
+            holes => holes,
+        };
         let region_of = regions_of_triangles(result);
         let (edges, edge_markers) = edges(result, of_segments.as_deref(), watch)?;
         Ok(Self {
@@ -60,7 +65,7 @@ impl Inherited {
             constraints: Constraints {
                 edges,
                 markers: of_segments.map(|_| edge_markers),
-                holes: domain.holes,
+                holes,
                 regions: result.regions().to_vec(),
                 region_of,
                 num_crossings: result.num_crossings(),

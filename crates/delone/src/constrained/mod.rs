@@ -21,6 +21,7 @@ mod carve;
 mod corridor;
 mod draft;
 mod export;
+mod holes;
 mod insert;
 mod names;
 mod polygons;
