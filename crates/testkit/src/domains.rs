@@ -9,8 +9,8 @@ use crate::naive::{
 use delone::check::{DomainMesh, verify_domain};
 use delone::predicates::{Orientation, in_circle_perturbed, orient2d};
 use delone::{
-    ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Error, Origin, Pslg, SegmentPolicy,
-    TriangleId, VertexId,
+    ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Error, Origin, Pslg, Seed,
+    SegmentPolicy, TriangleId, VertexId,
 };
 use std::collections::BTreeSet;
 
@@ -313,6 +313,14 @@ pub fn check_error(domain: &Domain, error: &Error) -> Outcome {
             let all = naive_constrained(&noding.points, &noding.edges());
             naive_domain(&domain.pslg, &noding, &all, domain.rule) == Err(seed)
         }
+        Error::SeedNotFinite {
+            seed: Seed::Hole(i),
+            ..
+        } => !domain.pslg.holes[i].is_finite(),
+        Error::SeedNotFinite {
+            seed: Seed::Region(i),
+            ..
+        } => !domain.pslg.regions[i].at.is_finite(),
         Error::OpenPolygon {
             polygon, vertex, ..
         } => is_open_at(&domain.pslg, polygon, vertex),
