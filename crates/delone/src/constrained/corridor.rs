@@ -338,20 +338,30 @@ mod tests {
         );
     }
 
-    /// Hanging from the left side by the edge pq is a triangle qxy: the corridor goes all around it.
+    /// Hanging from p by the edge pq is a triangle qxy, and the corridor goes all around it: between the
+    /// two sides of pq the rim passes three edges that it passes only once.
     #[test]
     fn an_edge_may_hang_into_the_corridor_with_triangles_at_its_end() {
         let (mut draft, v) = draft(&[
-            (-9.0, 0.0),
-            (9.0, 0.0),
-            (0.0, 9.0),
-            (0.0, 4.0),
-            (-1.0, 1.0),
-            (1.0, 1.0),
-            (0.0, -30.0),
+            (-20.0, 0.0),
+            (20.0, 0.0),
+            (0.0, 2.0),
+            (0.0, 1.0),
+            (-0.01, 0.9),
+            (0.01, 0.9),
+            (-3.0, -1.0),
+            (3.0, -1.0),
         ]);
-        for ends in [[2, 3], [3, 4], [4, 5], [5, 3]] {
-            assert_eq!(insert(&mut draft, ends.map(&v)), Ok(Vec::new()));
+        let h = draft.find_edge(v(2), v(3)).expect("pq is an edge");
+        for side in [h, draft.mesh.twin(h)] {
+            let below = draft.mesh.apex(side);
+            assert!(
+                [v(6), v(7)].contains(&below),
+                "the segment passes beside pq"
+            );
+        }
+        for ends in [[3, 4], [4, 5], [5, 3]] {
+            assert!(draft.find_edge(v(ends[0]), v(ends[1])).is_ok());
         }
         assert_eq!(insert(&mut draft, [v(0), v(1)]), Ok(Vec::new()));
         require_constrained_delaunay(&draft);
