@@ -6,6 +6,7 @@
 //! - [`job`]: what a child process does; [`process`]: how it is run and what becomes of it.
 //! - [`plan`]: which cells are checked and timed, in which order.
 //! - [`report`]: tables in Markdown, everything in JSON; [`machine`]: what they must state.
+//! - [`refine`]: the same for refinement.
 //!
 //! **Discipline.** Every triangulation that counts as *fresh* has a process of its own, on the same
 //! input for all engines; some warm-up processes are discarded, the median of the others counts,
@@ -21,6 +22,7 @@ pub mod machine;
 pub mod measure;
 pub mod plan;
 pub mod process;
+pub mod refine;
 pub mod report;
 pub mod stats;
 pub mod subject;

@@ -1,5 +1,7 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
+mod refine_command;
+
 use clap::{Args, Parser, Subcommand};
 use delone_bench::engines::Engine;
 use delone_bench::job::Job;
@@ -10,6 +12,7 @@ use delone_bench::report::Report;
 use delone_bench::stats::{median, parse_size};
 use delone_bench::subject::{Subject, Task};
 use delone_samples::{Distribution, Domain};
+use serde::Serialize;
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -30,9 +33,14 @@ struct CommandLine {
 enum Action {
     /// Triangulates with Delone again and again in this process, for a profiler
     Profile(Profile),
+    /// Measures refinement of outlines to meshes
+    Refine(refine_command::Options),
     /// Does one job in this process and prints what it found as JSON; the table maker calls this
     #[command(hide = true)]
     Job(Job),
+    /// The same for refinement
+    #[command(hide = true)]
+    MeshJob(delone_bench::refine::job::Job),
 }
 
 #[derive(Args)]
@@ -97,7 +105,9 @@ fn main() -> ExitCode {
     let result = match action {
         None => print_tables(options),
         Some(Action::Profile(profile)) => print_profile(&profile),
-        Some(Action::Job(job)) => print_answer(job),
+        Some(Action::Refine(options)) => refine_command::print_tables(options, command()),
+        Some(Action::Job(job)) => print_answer(job.run()),
+        Some(Action::MeshJob(job)) => print_answer(job.run()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -203,7 +213,7 @@ fn print_profile(profile: &Profile) -> Result<(), Box<dyn Error>> {
     for repeat in 0..profile.repeats as u64 {
         let seed = profile.seed.wrapping_add(repeat);
         let run = engine.run(subject.task(), subject.make(size, seed), false)?;
-        let nanoseconds = run.seconds * 1e9 / size as f64;
+        let nanoseconds = run.cost.seconds * 1e9 / size as f64;
         println!(
             "run {repeat}: {nanoseconds:.1} ns/{unit}, {} triangles",
             run.triangles
@@ -217,7 +227,7 @@ fn print_profile(profile: &Profile) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn print_answer(job: Job) -> Result<(), Box<dyn Error>> {
-    println!("{}", serde_json::to_string(&job.run()?)?);
+fn print_answer(answer: Result<impl Serialize, String>) -> Result<(), Box<dyn Error>> {
+    println!("{}", serde_json::to_string(&answer?)?);
     Ok(())
 }

@@ -10,21 +10,29 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::time::Instant;
 
-/// What one triangulation took.
+/// What some work took.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Run {
+pub struct Cost {
     /// Wall time, seconds.
     pub seconds: f64,
     /// Processor time in user mode, seconds, all threads.
     pub user: f64,
     /// Processor time in the kernel, seconds, all threads.
     pub system: f64,
+    /// Resident memory, if the system tells.
+    pub memory: Option<Memory>,
+}
+
+/// One triangulation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// What it took.
+    #[serde(flatten)]
+    pub cost: Cost,
     /// Finite triangles in the result.
     pub triangles: usize,
     /// Constrained edges in the result, if the engine knows them.
     pub constrained: Option<usize>,
-    /// Resident memory, if the system tells.
-    pub memory: Option<Memory>,
     /// Name of the set of triangles; only from a verified run of an engine that has one.
     pub hash: Option<String>,
 }
@@ -58,28 +66,36 @@ impl Memory {
 /// What the engine, or its verification, says.
 pub fn measure<C: Contender>(contender: &C, drawing: Drawing, verify: bool) -> Result<Run, String> {
     let mut input = contender.prepare(drawing);
-    reset_peak();
-    let before = resident();
-    let processor = ProcessorTime::now();
-    let clock = Instant::now();
-    let output = contender.triangulate(&mut input);
-    let seconds = clock.elapsed().as_secs_f64();
-    let spent = ProcessorTime::now().since(processor);
-    let peak = status_bytes("VmHWM:");
-    let after = resident();
+    let (output, cost) = under_the_clock(|| contender.triangulate(&mut input));
     let output = output?;
     if verify {
         contender.verify(&output)?;
     }
     Ok(Run {
+        cost,
+        triangles: contender.num_triangles(&output),
+        constrained: contender.num_constrained(&output),
+        hash: verify.then(|| contender.hash(&output)).flatten(),
+    })
+}
+
+/// Does `work`; returns its result and what it took.
+pub fn under_the_clock<T>(work: impl FnOnce() -> T) -> (T, Cost) {
+    reset_peak();
+    let before = resident();
+    let processor = ProcessorTime::now();
+    let clock = Instant::now();
+    let result = work();
+    let seconds = clock.elapsed().as_secs_f64();
+    let spent = ProcessorTime::now().since(processor);
+    let peak = status_bytes("VmHWM:");
+    let cost = Cost {
         seconds,
         user: spent.user,
         system: spent.system,
-        triangles: contender.num_triangles(&output),
-        constrained: contender.num_constrained(&output),
-        memory: memory(before, peak, after),
-        hash: verify.then(|| contender.hash(&output)).flatten(),
-    })
+        memory: memory(before, peak, resident()),
+    };
+    (result, cost)
 }
 
 fn memory(before: Option<u64>, peak: Option<u64>, after: Option<u64>) -> Option<Memory> {
@@ -186,6 +202,7 @@ mod tests {
         Drawing {
             points: vec![[0.0; 2]; count],
             segments: Vec::new(),
+            holes: Vec::new(),
         }
     }
 
@@ -193,8 +210,8 @@ mod tests {
     fn memory_is_what_the_engine_allocates() {
         let run = measure(&Glutton, points(10), true).unwrap();
         assert_eq!(run.triangles, 10);
-        assert!(run.seconds > 0.0);
-        if let Some(memory) = run.memory {
+        assert!(run.cost.seconds > 0.0);
+        if let Some(memory) = run.cost.memory {
             let peak = memory.beyond_input() >> 20;
             assert!((60..130).contains(&peak), "{peak} MiB");
         }

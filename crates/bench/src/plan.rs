@@ -88,12 +88,12 @@ impl Cell {
 /// Does a job, wherever and however.
 pub trait Worker {
     /// Runs `job`, for no longer than `timeout`.
-    fn run(&self, job: Job, timeout: Duration) -> Outcome;
+    fn run(&self, job: Job, timeout: Duration) -> Outcome<Answer>;
 }
 
 impl Worker for crate::process::Launcher {
-    fn run(&self, job: Job, timeout: Duration) -> Outcome {
-        Self::run(self, job, timeout)
+    fn run(&self, job: Job, timeout: Duration) -> Outcome<Answer> {
+        self.answer(&job.to_args(), timeout)
     }
 }
 
@@ -240,7 +240,7 @@ fn failed(how: &str, message: &str) -> Verdict {
 }
 
 /// Returns the runs of an answer; whatever else came of it becomes the verdict.
-fn runs_or_verdict(outcome: Outcome, verdict: &mut Verdict) -> Vec<Run> {
+fn runs_or_verdict(outcome: Outcome<Answer>, verdict: &mut Verdict) -> Vec<Run> {
     *verdict = match outcome {
         Outcome::Done(answer) => return answer.runs,
         Outcome::Failed { how, message } => Verdict::Failed { how, message },
@@ -255,7 +255,7 @@ mod tests {
     use crate::engines::Engine;
     use crate::expected::Expected;
     use crate::job::{Answer, Job};
-    use crate::measure::Run;
+    use crate::measure::{Cost, Run};
     use crate::process::Outcome;
     use crate::subject::{Subject, Task};
     use delone_samples::{Distribution, Domain};
@@ -263,26 +263,28 @@ mod tests {
     use std::time::Duration;
 
     /// Answers from thin air and remembers what it was asked.
-    struct Script<F: Fn(Job) -> Outcome> {
+    struct Script<F: Fn(Job) -> Outcome<Answer>> {
         answer: F,
         asked: RefCell<Vec<Job>>,
     }
 
-    impl<F: Fn(Job) -> Outcome> Worker for Script<F> {
-        fn run(&self, job: Job, _: Duration) -> Outcome {
+    impl<F: Fn(Job) -> Outcome<Answer>> Worker for Script<F> {
+        fn run(&self, job: Job, _: Duration) -> Outcome<Answer> {
             self.asked.borrow_mut().push(job);
             (self.answer)(job)
         }
     }
 
-    fn done(job: Job, triangles: usize, hash: &str) -> Outcome {
+    fn done(job: Job, triangles: usize, hash: &str) -> Outcome<Answer> {
         let run = Run {
-            seconds: 1.0,
-            user: 1.0,
-            system: 0.0,
+            cost: Cost {
+                seconds: 1.0,
+                user: 1.0,
+                system: 0.0,
+                memory: None,
+            },
             triangles,
             constrained: None,
-            memory: None,
             hash: (job.verify && job.engine.is_ours()).then(|| hash.to_owned()),
         };
         Outcome::Done(Answer {
@@ -294,14 +296,17 @@ mod tests {
         })
     }
 
-    fn carry_out(engines: &[Engine], answer: impl Fn(Job) -> Outcome) -> (Vec<Cell>, Vec<Job>) {
+    fn carry_out(
+        engines: &[Engine],
+        answer: impl Fn(Job) -> Outcome<Answer>,
+    ) -> (Vec<Cell>, Vec<Job>) {
         carry_out_on(Distribution::Uniform.into(), engines, answer)
     }
 
     fn carry_out_on(
         subject: Subject,
         engines: &[Engine],
-        answer: impl Fn(Job) -> Outcome,
+        answer: impl Fn(Job) -> Outcome<Answer>,
     ) -> (Vec<Cell>, Vec<Job>) {
         let plan = Plan {
             engines: engines.to_vec(),

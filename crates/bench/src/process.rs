@@ -1,7 +1,7 @@
 //! Runs a job in a process of its own and says what became of it: no crash, hang or runaway
 //! allocation of an engine reaches the table maker.
 
-use crate::job::{Answer, Job};
+use serde::de::DeserializeOwned;
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -10,9 +10,9 @@ use std::time::{Duration, Instant};
 
 /// How a job ended.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Outcome {
+pub enum Outcome<A> {
     /// It answered.
-    Done(Answer),
+    Done(A),
     /// It did not: `how` in a word or two (`panic`, `error`, `signal 6`), and what it said.
     Failed {
         /// The kind of failure.
@@ -44,9 +44,9 @@ impl Launcher {
         Self { program }
     }
 
-    /// Runs `job`, for no longer than `timeout`.
-    pub fn run(&self, job: Job, timeout: Duration) -> Outcome {
-        self.spawn(job)
+    /// Runs the program with `args`, for no longer than `timeout`, and reads its answer from JSON.
+    pub fn answer<A: DeserializeOwned>(&self, args: &[String], timeout: Duration) -> Outcome<A> {
+        self.spawn(args)
             .and_then(|child| watch(child, timeout))
             .unwrap_or_else(|error| Outcome::Failed {
                 how: "no process".to_owned(),
@@ -54,9 +54,9 @@ impl Launcher {
             })
     }
 
-    fn spawn(&self, job: Job) -> io::Result<Child> {
+    fn spawn(&self, args: &[String]) -> io::Result<Child> {
         Command::new(&self.program)
-            .args(job.to_args())
+            .args(args)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -64,7 +64,7 @@ impl Launcher {
     }
 }
 
-fn watch(mut child: Child, timeout: Duration) -> io::Result<Outcome> {
+fn watch<A: DeserializeOwned>(mut child: Child, timeout: Duration) -> io::Result<Outcome<A>> {
     let said = drain(child.stdout.take());
     let complained = drain(child.stderr.take());
     let Some(status) = wait(&mut child, timeout)? else {
@@ -101,7 +101,7 @@ fn wait(child: &mut Child, timeout: Duration) -> io::Result<Option<ExitStatus>> 
     Ok(None)
 }
 
-fn judge(status: ExitStatus, said: &str, complained: &str) -> Outcome {
+fn judge<A: DeserializeOwned>(status: ExitStatus, said: &str, complained: &str) -> Outcome<A> {
     let failed = |how: String, message: &str| Outcome::Failed {
         how,
         message: message.to_owned(),
@@ -144,6 +144,7 @@ fn last_line(complained: &str) -> &str {
 #[cfg(all(test, unix))]
 mod tests {
     use super::{Outcome, drain, judge, wait, watch};
+    use crate::job::Answer;
     use std::process::{Child, Command, Stdio};
     use std::time::{Duration, Instant};
 
@@ -156,11 +157,11 @@ mod tests {
             .expect("a shell")
     }
 
-    fn outcome(script: &str) -> Outcome {
+    fn outcome(script: &str) -> Outcome<Answer> {
         watch(shell(script), Duration::from_secs(20)).expect("a child")
     }
 
-    fn failure(outcome: Outcome) -> (String, String) {
+    fn failure(outcome: Outcome<Answer>) -> (String, String) {
         match outcome {
             Outcome::Failed { how, message } => (how, message),
             other => panic!("{other:?} is no failure"),
@@ -189,7 +190,7 @@ mod tests {
     fn hanging_children_are_stopped() {
         let start = Instant::now();
         let timeout = Duration::from_millis(50);
-        let hung = watch(shell("exec sleep 30"), timeout).expect("a child");
+        let hung: Outcome<Answer> = watch(shell("exec sleep 30"), timeout).expect("a child");
         assert_eq!(hung, Outcome::TimedOut(timeout));
         assert!(start.elapsed() < Duration::from_secs(20));
     }

@@ -42,9 +42,9 @@ impl Figure {
     /// Returns the median time a point or segment, nanoseconds.
     fn nanoseconds(self, cell: &Cell) -> Option<f64> {
         let seconds = match self {
-            Self::Fresh => median(cell.fresh.iter().map(|run| run.seconds)),
-            Self::Repeated => median(cell.repeated.iter().map(|run| run.seconds)),
-            Self::Processor => median(cell.fresh.iter().map(|run| run.user + run.system)),
+            Self::Fresh => median(cell.fresh.iter().map(|run| run.cost.seconds)),
+            Self::Repeated => median(cell.repeated.iter().map(|run| run.cost.seconds)),
+            Self::Processor => median(cell.fresh.iter().map(|run| run.cost.user + run.cost.system)),
         };
         Some(seconds? * 1e9 / cell.size as f64)
     }
@@ -61,8 +61,12 @@ impl Figure {
 /// Writes a processor time as user + system, in the mean proportion of all runs: the kernel tells
 /// the sum exactly, but the parts of a short run only by sampling.
 fn split_text(cell: &Cell, nanoseconds: f64) -> String {
-    let system: f64 = cell.fresh.iter().map(|run| run.system).sum();
-    let both: f64 = cell.fresh.iter().map(|run| run.user + run.system).sum();
+    let system: f64 = cell.fresh.iter().map(|run| run.cost.system).sum();
+    let both: f64 = cell
+        .fresh
+        .iter()
+        .map(|run| run.cost.user + run.cost.system)
+        .sum();
     let system = if both > 0.0 {
         nanoseconds * system / both
     } else {
@@ -283,7 +287,7 @@ fn time_of(group: &[Cell], engine: Engine, figure: Figure) -> Option<f64> {
 
 /// Returns the median of something about the memory of the fresh runs.
 fn memory(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<f64> {
-    let known = cell.fresh.iter().filter_map(|run| run.memory.as_ref());
+    let known = cell.fresh.iter().filter_map(|run| run.cost.memory.as_ref());
     median(known.map(|memory| bytes(memory) as f64))
 }
 
@@ -340,7 +344,7 @@ mod tests {
     use super::{ONE_THREAD, Report};
     use crate::engines::Engine;
     use crate::machine::Machine;
-    use crate::measure::{Memory, Run};
+    use crate::measure::{Cost, Memory, Run};
     use crate::plan::{Cell, Plan, Verdict};
     use crate::subject::{Subject, Task};
     use delone_samples::{Distribution, Domain};
@@ -350,16 +354,18 @@ mod tests {
 
     fn cell(engine: Engine, nanoseconds: f64, verdict: Verdict) -> Cell {
         let run = |factor: f64| Run {
-            seconds: factor * nanoseconds * 1e-9 * 1000.0,
-            user: 0.002,
-            system: 0.0005,
+            cost: Cost {
+                seconds: factor * nanoseconds * 1e-9 * 1000.0,
+                user: 0.002,
+                system: 0.0005,
+                memory: Some(Memory {
+                    before: 1_000_000,
+                    peak: 1_120_000,
+                    after: 1_070_000,
+                }),
+            },
             triangles: 1990,
             constrained: None,
-            memory: Some(Memory {
-                before: 1_000_000,
-                peak: 1_120_000,
-                after: 1_070_000,
-            }),
             hash: None,
         };
         Cell {

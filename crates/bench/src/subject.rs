@@ -67,6 +67,7 @@ impl Subject {
             Self::Points(distribution) => Drawing {
                 points: distribution.points(size, seed),
                 segments: Vec::new(),
+                holes: Vec::new(),
             },
             Self::Domain(domain) => domain.draw(size, seed),
         }

@@ -83,6 +83,50 @@ fn clean_and_crossing_domains_do_not_mix() {
 }
 
 #[test]
+fn refinement_has_tables_of_its_own_and_goes_on_without_python() {
+    let path = scratch_file("refine.json");
+    let output = bench(&[
+        "refine",
+        "--outlines=square,holes:300",
+        "--angles=20,25",
+        "--areas=none,500",
+        "--peers=triangle,spade",
+        "--python=/nowhere/python",
+        "--runs=2",
+        "--warmups=0",
+        "--json",
+        path.to_str().expect("a path in UTF-8"),
+    ]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{complaint}");
+    assert!(
+        complaint.contains("/nowhere/python: no process"),
+        "{complaint}"
+    );
+    assert!(complaint.contains("triangle is left out"), "{complaint}");
+    // Two loads, five tables each, two angles.
+    assert_eq!(text.matches("\n| holes ").count(), 2 * 5 * 2, "{text}");
+    let json = std::fs::read_to_string(path).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let cells = report["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 2 * 2 * 2 * 3);
+    for cell in cells {
+        assert_eq!(cell["runs"].as_array().map(Vec::len), Some(2), "{cell}");
+    }
+}
+
+#[test]
+fn what_encloses_nothing_cannot_be_meshed() {
+    let output = bench(&["refine", "--outlines=tangle"]);
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint.contains("encloses no area"), "{complaint}");
+    let output = bench(&["refine", "--angles=60"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
 fn profiling_prints_every_run() {
     for (subject, unit) in [("line", "ns/point"), ("spiral", "ns/segment")] {
         let output = bench(&["profile", subject, "1k", "3"]);

@@ -1,20 +1,24 @@
 //! `delone check`: is this the Delaunay triangulation of its points, or of a domain? From the files
 //! alone.
 
+mod bounds;
 mod drawing;
 mod presence;
 mod report;
+mod shortfall;
 
 use crate::domain::Rule;
 use crate::exit::Failure;
 use crate::files::{self, Reading};
 use crate::progress::Progress;
 use crate::timing::timed;
+use bounds::Bounds;
 use delone::check::verify;
 use delone_io::{Format, MeshData, Source};
-use drawing::Drawing;
+use drawing::{Drawing, Findings};
 use presence::Absences;
 use report::Report;
+use shortfall::Shortfall;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -23,6 +27,8 @@ Examples:
   delone check mesh.ele                      reads mesh.node and mesh.ele
   delone check mesh.ele --points survey.csv  and is every point of survey.csv in it?
   delone check mesh.ele --domain map.poly    is it the triangulation of that domain?
+  delone check fine.ele --domain map.poly --min-angle 25 --max-edge 0.1
+                                             a mesh that was refined: is it as good as asked?
   delone check a.ele b.vtu --json            one JSON object a line
   delone check mesh.ele && echo trustworthy  the exit code tells: 0 right, 1 wrong";
 
@@ -33,7 +39,13 @@ The JSON object of --json:
                    counts and name; all but points and triangles are null if it is wrong
   proven           what has been proven, clause by clause; empty if it is wrong
   domain           null without --domain; else its file and rule, and if the mesh is right the
-                   numbers of added vertices, points carved away, subsegments, components, holes
+                   numbers of added vertices (where segments cross), steiner (all that refinement has
+                   added), steiner_on_segments, points carved away, subsegments, components, holes
+  bounds           null if the mesh is wrong or no bound was named; else met, unmet (triangles that
+                   break a bound), unexcused, unmet_by_reason (small_input_angle, locked_boundary,
+                   precision), encroached, encroached_unexcused (subsegments, for --conforming),
+                   steiner_on_locked (vertices that --keep-boundary forbids), worst (the first few
+                   of each in words)
   defects          their total, and the first few of each kind in words
   quality          angles in degrees, lengths in units of the coordinates (rounded numbers)
   seconds          wall time of the phases read and check
@@ -49,6 +61,12 @@ The JSON object of --json:
 ///
 /// With --domain: every segment is there as a chain of edges, vertices were added only where segments
 /// cross, and the triangles cover exactly what the rule leaves of the domain.
+///
+/// With --refined: vertices may also have been added inside the domain, and on segments as near as rounding
+/// allows. With bounds: every triangle obeys them, or has an excuse: it lies at an angle of the
+/// input below 60 degrees (which excuses angles only), or at a segment that had to stay as it was, or
+/// its shortest edge is below 2^12 units in the last place of its coordinates. A triangle without an excuse
+/// fails the check.
 ///
 /// Of several files all are checked, even if some cannot be read; the exit code is then 3, and 1 if
 /// all can be read but some are wrong.
@@ -71,6 +89,8 @@ pub struct Check {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    bounds: Bounds,
+    #[command(flatten)]
     reading: Reading,
 }
 
@@ -89,12 +109,12 @@ impl Check {
                 }
                 Err(failure) => return Err(failure),
             };
-            if !report.is_right() && outcome.is_ok() {
+            if !report.is_passed() && outcome.is_ok() {
                 outcome = Err(Failure::CheckFailed);
             }
             if self.json {
                 files::print(&report.json())?;
-            } else if !quiet || !report.is_right() {
+            } else if !quiet || !report.is_passed() {
                 files::print(&report.to_string())?;
             }
         }
@@ -121,18 +141,22 @@ impl Check {
             let mesh = self.reading.mesh(&source, &progress)?;
             Ok((mesh, self.drawing(&progress)?))
         })?;
-        let ((verdict, absences), check) = timed(|| {
-            let verdict = match &drawing {
-                Some(drawing) => drawing.verify(&mesh, &progress)?,
+        let ((findings, absences), check) = timed(|| {
+            let findings = match &drawing {
+                Some(drawing) => drawing.verify(&mesh, &self.bounds, &progress)?,
                 None => verify(&mesh.vertices.points, &mesh.triangles, &progress)
+                    .map(Findings::from)
                     .map_err(|error| failure(&source, error))?,
             };
-            Ok((verdict, self.absences(&mesh, &progress)?))
+            Ok((findings, self.absences(&mesh, &progress)?))
         })?;
         progress.finish();
+        let Findings { verdict, quality } = findings;
         let report = Report::new(&source, &mesh, verdict, absences, [read, check]);
         Ok(match drawing {
-            Some(drawing) => report.against(&drawing),
+            Some(drawing) => report
+                .against(&drawing, self.bounds.is_refined())
+                .asked(quality.map(|quality| Shortfall::new(&quality, &mesh))),
             None => report,
         })
     }

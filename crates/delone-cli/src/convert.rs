@@ -68,7 +68,7 @@ impl Convert {
         progress: &Progress,
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         let outputs = self.outputs(Content::Mesh)?;
-        outputs.spare(input)?;
+        outputs.spare(&input.files())?;
         let mesh = input.mesh(progress)?;
         let written = self
             .writing
@@ -84,7 +84,7 @@ impl Convert {
         progress: &Progress,
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         let outputs = self.outputs(Content::Domain)?;
-        outputs.spare(input)?;
+        outputs.spare(&input.files())?;
         let (mut domain, unused) = input.domain(progress)?;
         progress.note(&unused);
         let written = self.writing.domain(&outputs, &domain, progress)?;
@@ -98,7 +98,7 @@ impl Convert {
     ) -> Result<(Vec<PathBuf>, String), Failure> {
         self.require_no_triangles()?;
         let outputs = self.outputs(Content::Points)?;
-        outputs.spare(input)?;
+        outputs.spare(&input.files())?;
         let (points, unused) = input.points(progress)?;
         progress.note(&unused);
         let written = self.writing.points(&outputs, &points, progress)?;

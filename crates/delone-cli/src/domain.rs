@@ -1,7 +1,7 @@
 //! Options about segments and what lies between them.
 
 use clap::ValueEnum;
-use delone::{DomainRule, SegmentPolicy};
+use delone::{DomainRule, Locked, SegmentPolicy};
 use std::fmt;
 
 /// What to do where segments cross.
@@ -24,6 +24,24 @@ pub enum Rule {
     /// what lies behind an odd number of segments: rings in rings are holes
     #[value(name = "evenodd")]
     EvenOdd,
+}
+
+/// Which segments are not split.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Kept {
+    /// those with the domain on one side only
+    Outer,
+    /// all
+    All,
+}
+
+impl From<Kept> for Locked {
+    fn from(kept: Kept) -> Self {
+        match kept {
+            Kept::Outer => Self::Boundary,
+            Kept::All => Self::Segments,
+        }
+    }
 }
 
 impl fmt::Display for Rule {

@@ -13,10 +13,12 @@ static CANCELLED: AtomicBool = AtomicBool::new(false);
 pub const HELP: &str = "\
 Exit codes:
   0    done
-  1    the check failed: the file is not the triangulation it claims to be
+  1    the check failed: the file is not the triangulation it claims to be, or misses a bound
+       that it was checked against without an excuse
   2    usage: an option or argument is wrong
   3    bad input: a file is missing, malformed or cannot be triangulated
-  4    not reached: the work could not be finished or its result not written
+  4    not reached: the work could not be finished or its result not written; of a mesh, triangles
+       are not as asked and the input is no excuse (the mesh is written)
   130  cancelled by Ctrl-C (143 by SIGTERM, 129 by SIGHUP); nothing half-written is left behind";
 
 /// Why a command did not end with exit code 0.

@@ -5,8 +5,10 @@ mod input;
 
 use crate::exit::Failure;
 use crate::progress::Progress;
+use delone::RefinedMesh;
 use delone_io::{
-    Attribute, DomainData, Error, Format, MeshView, PictureOptions, PointSet, Target, WriteOptions,
+    Attribute, DomainData, Error, Format, MeshView, PictureOptions, PointSet, ReportOptions,
+    Target, WriteOptions,
 };
 use family::Member;
 pub use input::{Input, Reading};
@@ -14,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 /// Options about outputs.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Files")]
 pub struct Writing {
     /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge, .neigh, .poly
     #[arg(long)]
@@ -32,7 +35,9 @@ pub struct Writing {
 #[derive(Default)]
 pub struct Outputs {
     files: Vec<Target>,
-    /// The files that these consist of.
+    /// Pages about what is written.
+    reports: Vec<Target>,
+    /// The files that all these consist of.
     members: Vec<Member>,
     stream: Option<Target>,
 }
@@ -45,15 +50,14 @@ impl Outputs {
 
     /// Tells whether there is nothing to write.
     pub fn is_empty(&self) -> bool {
-        self.files.is_empty() && self.stream.is_none()
+        self.files.is_empty() && self.reports.is_empty() && self.stream.is_none()
     }
 
-    /// Requires that none of the files to be written is one that is read.
-    pub fn spare(&self, input: &Input) -> Result<(), Failure> {
-        let inputs = input.files();
+    /// Requires that none of the files to be written is one of those that are read.
+    pub fn spare(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
         self.members
             .iter()
-            .try_for_each(|member| member.require_not_among(&inputs))
+            .try_for_each(|member| member.require_not_among(inputs))
     }
 
     /// Says in words what the outputs have no place for: arrays hold coordinates and corners alone.
@@ -73,14 +77,18 @@ impl Outputs {
             .collect()
     }
 
-    fn add_file(&mut self, target: Target, members: Vec<Member>) -> Result<(), Failure> {
-        for member in members {
+    fn add_file(&mut self, path: &Path, format: Format, content: Content) -> Result<(), Failure> {
+        for member in family::members(path, format, content) {
             member.require_writable()?;
             let apart = |other: &Member| member.require_apart_from(other);
             self.members.iter().try_for_each(apart)?;
             self.members.push(member);
         }
-        self.files.push(target);
+        let target = Target::from_arg(path, Some(format));
+        match content {
+            Content::Report => self.reports.push(target),
+            _ => self.files.push(target),
+        }
         Ok(())
     }
 
@@ -103,10 +111,14 @@ pub enum Content {
     Domain,
     /// Points and triangles.
     Mesh,
+    /// Points and triangles of six nodes.
+    QuadraticMesh,
     /// Points, a domain or a mesh, as the input will tell.
     Any,
     /// A picture.
     Picture,
+    /// A page about a mesh.
+    Report,
 }
 
 impl Content {
@@ -115,8 +127,10 @@ impl Content {
             Self::Points => format.writes_points(),
             Self::Domain => format.writes_segments(),
             Self::Mesh => format.writes_mesh(),
+            Self::QuadraticMesh => format.writes_quadratic_mesh(),
             Self::Any => format.writes_points() || format.writes_segments() || format.writes_mesh(),
             Self::Picture => format.is_picture(),
+            Self::Report => format.writes_report(),
         }
     }
 
@@ -125,8 +139,10 @@ impl Content {
             Self::Points => "points",
             Self::Domain => "a domain",
             Self::Mesh => "a mesh",
+            Self::QuadraticMesh => "triangles of six nodes",
             Self::Any => "points or a mesh",
             Self::Picture => "a picture",
+            Self::Report => "a report",
         }
     }
 
@@ -155,7 +171,11 @@ impl Writing {
         let all_tell = wanted.iter().all(|(p, _)| Format::from_path(p).is_some());
         let mut outputs = Outputs::default();
         for (path, content) in wanted {
-            let overrules = all_tell && !matches!(content, Content::Picture);
+            let overrules = all_tell && !matches!(content, Content::Picture | Content::Report);
+            if matches!(content, Content::Report) && path == Path::new("-") {
+                let refused = "a report needs a file; name one that ends in .html, .svg or .png";
+                return Err(Failure::Usage(refused.to_owned()));
+            }
             let told = self.told(&path, overrules);
             let Some(format) = told.filter(|f| content.fits(*f)) else {
                 return Err(content.misfit(&path, told));
@@ -164,8 +184,7 @@ impl Writing {
             if path == Path::new("-") || path == Path::new("/dev/stdout") {
                 outputs.add_stream(format)?;
             } else {
-                let members = family::members(&path, format, content);
-                outputs.add_file(Target::from_arg(path, Some(format)), members)?;
+                outputs.add_file(&path, format, content)?;
             }
         }
         Ok(outputs)
@@ -211,6 +230,23 @@ impl Writing {
         })
     }
 
+    /// Writes the report pages about a mesh and returns the names of the files.
+    pub fn reports(
+        &self,
+        outputs: &Outputs,
+        refined: &RefinedMesh,
+        mesh: &MeshView<'_>,
+        options: ReportOptions<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = ReportOptions {
+            picture: self.options().picture,
+            ..options
+        };
+        delone_io::write_report(&outputs.reports, refined, mesh, &options, progress)
+            .map_err(unwritable)
+    }
+
     /// Writes points and returns the names of the files.
     pub fn points(
         &self,
@@ -245,6 +281,7 @@ impl Writing {
                 size: self.size,
                 ..PictureOptions::default()
             },
+            ..WriteOptions::default()
         }
     }
 }
@@ -265,7 +302,8 @@ fn write(
     Ok(names)
 }
 
-fn unreadable(error: Error) -> Failure {
+/// Says why something could not be read.
+pub fn unreadable(error: Error) -> Failure {
     match error {
         Error::Cancelled => Failure::Cancelled,
         Error::NoSuchColumn { .. } | Error::SameColumn { .. } => Failure::Usage(error.to_string()),

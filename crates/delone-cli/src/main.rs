@@ -8,20 +8,27 @@ mod exit;
 mod files;
 mod info;
 mod interrupt;
+mod job;
 mod memory;
+mod mesh;
 mod numbering;
+mod numbers;
 mod progress;
+mod refinable;
 mod sample;
+mod sizing;
 mod stopwatch;
 mod timing;
+mod triangle;
 mod triangulate;
+mod unmet;
 mod words;
 
 use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = cli::Cli::parse();
+    let cli = cli::Cli::parse_from(triangle::set_off(std::env::args_os().collect()));
     interrupt::listen();
     match cli.run() {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,7 +1,7 @@
 //! What the library says about segments, holes and regions, in the numbers of their file.
 
 use crate::exit::Failure;
-use delone::{Error, Seed, Warning};
+use delone::{ConstrainedTriangulation, Error, Seed, Warning};
 use delone_io::DomainData;
 
 /// How the file of an input counts.
@@ -15,9 +15,14 @@ pub struct Numbering {
 impl Numbering {
     /// Takes the numbering of a domain read from `file`.
     pub fn of(file: &str, domain: &DomainData) -> Self {
+        Self::from_base(file, domain.vertices.base)
+    }
+
+    /// Takes the number of the first point of `file`.
+    pub fn from_base(file: &str, base: u32) -> Self {
         Self {
             file: file.to_owned(),
-            base: domain.vertices.base as usize,
+            base: base as usize,
         }
     }
 
@@ -30,8 +35,10 @@ impl Numbering {
                 | Error::Crossing { .. }
                 | Error::BadPolygon { .. }
                 | Error::OpenPolygon { .. }
+                | Error::BadArea { .. }
                 | Error::SeedNotFinite { .. }
                 | Error::SeedOnSegment { .. }
+                | Error::BadSize { .. }
         );
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
@@ -48,7 +55,12 @@ impl Numbering {
     }
 
     /// Says what deserves a word though the result is right.
-    pub fn note(&self, warning: &Warning) -> String {
+    pub fn notes(&self, result: &ConstrainedTriangulation) -> Vec<String> {
+        let warnings = result.warnings().iter();
+        warnings.map(|warning| self.note(warning)).collect()
+    }
+
+    fn note(&self, warning: &Warning) -> String {
         let base = self.base;
         let renumbered = match *warning {
             Warning::HoleOutside { hole, at } => Warning::HoleOutside {
@@ -68,7 +80,18 @@ impl Numbering {
         format!("{}: {renumbered}{}", self.file, self.hint())
     }
 
-    fn hint(&self) -> &str {
+    /// Returns the name of the file.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Returns the number of the first point, segment, hole and region.
+    pub fn base(&self) -> usize {
+        self.base
+    }
+
+    /// Returns what is to be added where numbers of the file are named.
+    pub fn hint(&self) -> &str {
         if self.base == 1 {
             " (numbered from 1)"
         } else {
@@ -87,6 +110,14 @@ impl Numbering {
             Error::Crossing { segments, at } => Error::Crossing {
                 segments: segments.map(|s| s + base),
                 at,
+            },
+            Error::BadArea { region, max_area } => Error::BadArea {
+                region: region + base,
+                max_area,
+            },
+            Error::BadSize { index, given } => Error::BadSize {
+                index: index + base,
+                given,
             },
             Error::SeedNotFinite { seed, at } => Error::SeedNotFinite {
                 seed: self.renumber_seed(seed),
@@ -151,6 +182,12 @@ mod tests {
             said.contains("hole 1 at (1, 1) lies on segment 5"),
             "{said}"
         );
+        let error = Error::BadArea {
+            region: 0,
+            max_area: -1.0,
+        };
+        let said = numbering(1).failure(error);
+        assert!(matches!(&said, Failure::BadInput(text) if text.contains("region 1 is -1")));
         let said = numbering(1).note(&Warning::RegionTwice {
             region: 2,
             first: 0,

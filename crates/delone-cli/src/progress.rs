@@ -96,6 +96,8 @@ fn label(phase: Phase) -> &'static str {
         Phase::Node => "crossings",
         Phase::Constrain => "constraining",
         Phase::Carve => "carving",
+        Phase::Refine => "refining",
+        Phase::Smooth => "smoothing",
         Phase::Export => "renumbering",
         Phase::Check => "checking",
         Phase::Draw => "drawing",

@@ -166,6 +166,7 @@ fn domain_data(drawing: Drawing) -> DomainData {
     let segments = drawing.segments.into_iter().map(|ends| ends.map(vertex));
     Pslg {
         segments: segments.collect(),
+        holes: drawing.holes.into_iter().map(Point::from).collect(),
         ..Pslg::from_points(drawing.points)
     }
     .into()

@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 
 /// Passes everything on to another watch and sums up the time of the phases that it is asked about.
 ///
-/// A phase lasts from its first report to the first report of another one.
+/// A phase lasts from its first report to the first report of another one; refining and smoothing last
+/// on while what they have made is handed out.
 pub struct Stopwatch<'w> {
     inner: &'w dyn Watch,
     laps: Mutex<Laps>,
@@ -17,9 +18,17 @@ struct Laps {
     since: Instant,
     constrain: Duration,
     carve: Duration,
+    refine: Duration,
+    smooth: Duration,
 }
 
 impl Laps {
+    /// Tells whether a report from `phase` begins a new lap.
+    fn is_turn(&self, phase: Phase) -> bool {
+        let refines = |phase| matches!(phase, Phase::Refine | Phase::Smooth);
+        self.current != Some(phase) && (refines(phase) || !self.current.is_some_and(refines))
+    }
+
     /// Ends the lap of the current phase and begins that of `next`.
     fn turn(&mut self, next: Option<Phase>) {
         let now = Instant::now();
@@ -27,6 +36,8 @@ impl Laps {
         match self.current {
             Some(Phase::Node | Phase::Constrain) => self.constrain += lap,
             Some(Phase::Carve) => self.carve += lap,
+            Some(Phase::Refine) => self.refine += lap,
+            Some(Phase::Smooth) => self.smooth += lap,
             _ => {}
         }
         (self.current, self.since) = (next, now);
@@ -41,6 +52,8 @@ impl<'w> Stopwatch<'w> {
             since: Instant::now(),
             constrain: Duration::ZERO,
             carve: Duration::ZERO,
+            refine: Duration::ZERO,
+            smooth: Duration::ZERO,
         };
         Self {
             inner,
@@ -48,19 +61,19 @@ impl<'w> Stopwatch<'w> {
         }
     }
 
-    /// Stops, and returns how long segments were inserted, crossings included, and how long the
-    /// domain was looked for.
-    pub fn stop(self) -> [Duration; 2] {
+    /// Stops, and returns how long segments were inserted, crossings included, how long the domain was
+    /// looked for, how long it was refined, and smoothed.
+    pub fn stop(self) -> [Duration; 4] {
         let mut laps = self.laps.into_inner().expect("bug: a stopwatch panicked");
         laps.turn(None);
-        [laps.constrain, laps.carve]
+        [laps.constrain, laps.carve, laps.refine, laps.smooth]
     }
 }
 
 impl Watch for Stopwatch<'_> {
     fn progress(&self, phase: Phase, done: u64, total: u64) {
         let mut laps = self.laps.lock().expect("bug: a stopwatch panicked");
-        if laps.current != Some(phase) {
+        if laps.is_turn(phase) {
             laps.turn(Some(phase));
         }
         drop(laps);
@@ -87,23 +100,27 @@ mod tests {
             Phase::Constrain,
             Phase::Node,
             Phase::Carve,
+            Phase::Refine,
+            Phase::Smooth,
+            Phase::Refine,
             Phase::Export,
         ] {
             stopwatch.progress(phase, 0, 2);
             sleep(pause);
             stopwatch.progress(phase, 1, 2);
         }
-        let [constrain, carve] = stopwatch.stop();
+        let [constrain, carve, refine, smooth] = stopwatch.stop();
         assert!(constrain >= 3 * pause && carve >= pause);
-        // Neither Triangulate nor Export counts for anything.
-        assert!(constrain + carve < 1000 * pause);
+        assert!(refine >= 3 * pause && smooth >= pause);
+        // Triangulate counts for nothing, and Export for what was refined.
+        assert!(constrain + carve + refine + smooth < 1000 * pause);
     }
 
     #[test]
     fn without_segments_there_is_nothing_to_count() {
         let stopwatch = Stopwatch::new(&());
         stopwatch.progress(Phase::Sort, 1, 1);
-        assert_eq!(stopwatch.stop(), [Duration::ZERO; 2]);
+        assert_eq!(stopwatch.stop(), [Duration::ZERO; 4]);
         assert!(!Stopwatch::new(&()).is_cancelled());
     }
 }

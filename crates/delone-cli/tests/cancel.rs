@@ -56,6 +56,14 @@ fn ctrl_c_ends_the_phases_of_a_domain_soon_and_leaves_no_file() {
     interrupt_again_and_again(&folder, "info tangle.poly", "tangle.poly");
 }
 
+#[test]
+fn ctrl_c_ends_refinement_soon_and_leaves_no_file() {
+    let folder = Folder::new();
+    folder.run("sample coast -n 100000 -o coast.poly", 0);
+    let line = "mesh coast.poly --min-angle 33 --max-area 1e-7 -o mesh.vtu --report mesh.html";
+    interrupt_again_and_again(&folder, line, "coast.poly");
+}
+
 /// Interrupts a command after various times; only its input must be there then.
 fn interrupt_again_and_again(folder: &Folder, line: &str, input: &str) {
     let mut cancelled = 0;

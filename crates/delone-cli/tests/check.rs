@@ -212,3 +212,160 @@ fn a_bad_domain_is_3() {
         .run("check m.ele --domain seed.poly", 3)
         .says(&["seed.poly: the point of hole 0 at (2, 1) lies on segment 4"]);
 }
+
+/// A square, and the same with the middles of its sides and its centre.
+fn squares() -> Folder {
+    let folder = Folder::new();
+    folder.write(
+        "coarse.poly",
+        "4 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n1\n0 1 1 7 1\n",
+    );
+    folder.write(
+        "fine.poly",
+        "9 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 2 0\n5 4 2\n6 2 4\n7 0 2\n8 2 2\n\
+         8 0\n0 0 4\n1 4 1\n2 1 5\n3 5 2\n4 2 6\n5 6 3\n6 3 7\n7 7 0\n0\n",
+    );
+    folder
+}
+
+#[test]
+fn a_refined_mesh_is_right_if_it_is_said_to_be_refined() {
+    let folder = squares();
+    folder.run("triangulate fine.poly -o m.ele -o m.vtu", 0);
+    for file in ["m.ele", "m.vtu"] {
+        let line = format!("check {file} --domain coarse.poly");
+        let output = folder.run(&line, 1);
+        assert!(
+            output.stdout.contains("no two segments cross"),
+            "{}",
+            output.stdout
+        );
+        let output = folder.run(&format!("{line} --refined"), 0);
+        for words in [
+            "a refined constrained",
+            "5 Steiner points",
+            "Steiner point that",
+        ] {
+            assert!(output.stdout.contains(words), "{words}: {}", output.stdout);
+        }
+        let json = folder.run(&format!("{line} --refined --json"), 0).json();
+        assert_eq!(json["domain"]["steiner"], 5);
+        assert_eq!(json["domain"]["steiner_on_segments"], 4);
+        assert_eq!(json["domain"]["added"], 0);
+        assert!(json["bounds"].is_null());
+    }
+    // The middle of a side leaves it.
+    let is_moved = |line: &&str| line.split_whitespace().next() == Some("4");
+    let node = folder.read("m.node");
+    let line = node.lines().skip(1).find(is_moved).expect("vertex 4");
+    let mut words: Vec<&str> = line.split_whitespace().collect();
+    words[2] = "-0.5";
+    folder.write("m.node", node.replace(line, &words.join(" ")));
+    let output = folder.run("check m.ele --domain coarse.poly --refined", 1);
+    assert!(output.stdout.contains("wrong"), "{}", output.stdout);
+}
+
+#[test]
+fn a_bound_that_is_missed_is_1_unless_something_excuses_it() {
+    let folder = squares();
+    folder.run("triangulate fine.poly -o m.ele", 0);
+    for (bound, unmet) in [
+        ("--min-angle 45", 0),
+        ("--min-angle 46", 8),
+        ("--max-edge 2.9", 0),
+        ("--max-edge 2.8", 8),
+        ("--max-area 2", 0),
+        ("--max-area 1.9", 8),
+        ("--area-per-region", 8),
+        ("--conforming", 0),
+    ] {
+        let line = format!("check m.ele --domain coarse.poly {bound}");
+        let output = folder.run(&line, i32::from(unmet > 0));
+        let words = if unmet > 0 {
+            "nothing excuses it"
+        } else {
+            "bounds met"
+        };
+        assert!(output.stdout.contains(words), "{}", output.stdout);
+        let json = folder
+            .run(&format!("{line} --json"), i32::from(unmet > 0))
+            .json();
+        assert_eq!(json["right"], true);
+        assert_eq!(json["bounds"]["met"], unmet == 0, "{bound}");
+        assert_eq!(json["bounds"]["unexcused"], unmet, "{bound}");
+    }
+    let quiet = folder.run("-q check m.ele --domain coarse.poly --min-angle 46", 1);
+    assert!(quiet.stdout.contains("bounds NOT met"), "{}", quiet.stdout);
+}
+
+#[test]
+fn what_had_to_stay_must_have_stayed_and_excuses() {
+    let folder = squares();
+    folder.run("triangulate fine.poly -o m.ele", 0);
+    for which in ["", "=outer", "=all"] {
+        let line = format!("check m.ele --domain coarse.poly --keep-boundary{which}");
+        let output = folder.run(&line, 1);
+        let words = "vertex 4 (2.0, 0.0) was added on a segment that had to stay";
+        assert!(output.stdout.contains(words), "{}", output.stdout);
+    }
+    folder.run("triangulate coarse.poly -o c.ele", 0);
+    let line = "check c.ele --domain coarse.poly --max-edge 1 --keep-boundary=outer --json";
+    let json = folder.run(line, 0).json();
+    assert_eq!(json["bounds"]["unmet_by_reason"]["locked_boundary"], 2);
+}
+
+#[test]
+fn an_angle_of_the_input_is_an_excuse() {
+    let folder = Folder::new();
+    folder.write(
+        "wedge.poly",
+        "3 2 0 0\n1 0 0\n2 4 0\n3 4 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n",
+    );
+    folder.run("triangulate wedge.poly -o m.ele", 0);
+    let output = folder.run("check m.ele --domain wedge.poly --min-angle 20", 0);
+    for words in [
+        "bounds met; 1 triangle beyond them excused by small angles",
+        "excused by the 14.04° between segments 0 and 2 at vertex 0",
+        "count from 0",
+    ] {
+        assert!(output.stdout.contains(words), "{words}: {}", output.stdout);
+    }
+}
+
+#[test]
+fn bare_points_can_be_refined_too() {
+    let folder = Folder::new();
+    folder.write("coarse.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n");
+    folder.write(
+        "fine.csv",
+        "x,y\n0,0\n4,0\n4,4\n0,4\n2,0\n4,2\n2,4\n0,2\n2,2\n",
+    );
+    folder.run("triangulate fine.csv -o m.npy", 0);
+    folder.run("check m.npy --domain coarse.csv", 1);
+    let json = folder
+        .run("check m.npy --domain coarse.csv --min-angle 45 --json", 0)
+        .json();
+    assert_eq!(json["domain"]["steiner_on_segments"], 4);
+}
+
+#[test]
+fn bounds_need_a_domain_and_must_make_sense() {
+    let folder = squares();
+    folder.run("triangulate fine.poly -o m.ele", 0);
+    for bound in [
+        "--refined",
+        "--min-angle 20",
+        "--keep-boundary",
+        "--conforming",
+    ] {
+        folder
+            .run(&format!("check m.ele {bound}"), 2)
+            .says(&["--domain"]);
+    }
+    folder
+        .run("check m.ele --domain coarse.poly --min-angle 60", 2)
+        .says(&["below 60"]);
+    folder
+        .run("check m.ele --domain coarse.poly --max-area NaN", 2)
+        .says(&["--max-area", "a positive number is needed"]);
+}

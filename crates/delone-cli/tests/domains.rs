@@ -283,6 +283,10 @@ fn the_samples_are_domains() {
         .run("sample coast -n 999 -o coast.poly", 0)
         .says(&["999 points and 999 segments"]);
     assert_eq!(json(&folder, "triangulate coast.poly")["triangles"], 997);
+    // 22 holes: n vertices, all of them on h + 1 borders, make n + 2 h - 2 triangles.
+    folder.run("sample holes -n 400 -o holes.poly", 0);
+    let holes = json(&folder, "triangulate holes.poly");
+    assert_eq!(holes["triangles"], 400 + 2 * 22 - 2);
 }
 
 #[test]

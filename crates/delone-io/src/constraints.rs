@@ -3,6 +3,7 @@
 use crate::topology::Topology;
 use crate::{Error, MeshView, cancel};
 use delone::{Point, Region, VertexId, Watch};
+use std::ops::Range;
 
 /// Constrained edges of a mesh, and what lies between them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,8 +19,8 @@ pub struct Constraints {
     pub regions: Vec<Region>,
     /// For each triangle its region, if that is known.
     pub region_of: Option<Vec<Option<u32>>>,
-    /// How many of the vertices, counted from the last, lie where segments cross, if that is known.
-    pub num_crossings: usize,
+    /// The vertices that were added where segments cross, if that is known.
+    pub crossings: Range<usize>,
 }
 
 impl Constraints {
@@ -47,6 +48,10 @@ impl Constraints {
         let markers = self.markers.as_ref().map_or(edges, Vec::len);
         if markers != edges {
             return bad(format!("{markers} markers for {edges} constrained edges"));
+        }
+        if self.crossings.end > num_vertices {
+            let end = self.crossings.end;
+            return bad(format!("crossings up to vertex {end} of {num_vertices}"));
         }
         let Some(region_of) = &self.region_of else {
             return Ok(());
@@ -187,6 +192,9 @@ mod tests {
         let mut bad = good.clone();
         bad.markers = Some(vec![1; 3]);
         assert!(bad.validate(5, 2).is_err(), "a marker");
+        let mut bad = good.clone();
+        bad.crossings = 4..6;
+        assert!(bad.validate(5, 2).is_err(), "a crossing");
         let mut bad = good;
         bad.regions.clear();
         assert!(bad.validate(5, 2).is_err(), "a region");

@@ -36,11 +36,13 @@ pub enum Format {
     Svg,
     /// Picture of pixels.
     Png,
+    /// Page for the browser: a report.
+    Html,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Node,
         Self::Ele,
         Self::Edge,
@@ -53,6 +55,7 @@ impl Format {
         Self::Vtu,
         Self::Svg,
         Self::Png,
+        Self::Html,
     ];
 
     /// Returns the name by which the format is asked for: `node`, `csv` …
@@ -75,6 +78,7 @@ impl Format {
             Self::Vtu => &["vtu"],
             Self::Svg => &["svg"],
             Self::Png => &["png"],
+            Self::Html => &["html", "htm"],
         }
     }
 
@@ -119,7 +123,10 @@ impl Format {
 
     /// Tells whether [`read_points`](crate::read_points) understands the format.
     pub const fn reads_points(self) -> bool {
-        !matches!(self, Self::Edge | Self::Neigh | Self::Svg | Self::Png)
+        !matches!(
+            self,
+            Self::Edge | Self::Neigh | Self::Svg | Self::Png | Self::Html
+        )
     }
 
     /// Tells whether the format can hold segments, for [`read_domain`](crate::read_domain); all other
@@ -135,20 +142,37 @@ impl Format {
 
     /// Tells whether [`write_mesh`](crate::write_mesh) can write the format.
     pub const fn writes_mesh(self) -> bool {
-        !matches!(self, Self::Table | Self::Wkt)
+        !matches!(self, Self::Table | Self::Wkt | Self::Html)
+    }
+
+    /// Tells whether [`write_mesh`](crate::write_mesh) can write triangles of six nodes in the format,
+    /// or shows them as triangles: pictures and files of edges do.
+    pub const fn writes_quadratic_mesh(self) -> bool {
+        self.writes_mesh() && !matches!(self, Self::Npy | Self::GeoJson)
     }
 
     /// Tells whether [`write_points`](crate::write_points) can write the format.
     pub const fn writes_points(self) -> bool {
         !matches!(
             self,
-            Self::Ele | Self::Edge | Self::Neigh | Self::Poly | Self::GeoJson | Self::Wkt
+            Self::Ele
+                | Self::Edge
+                | Self::Neigh
+                | Self::Poly
+                | Self::GeoJson
+                | Self::Wkt
+                | Self::Html
         )
     }
 
     /// Tells whether [`write_domain`](crate::write_domain) can write segments in the format.
     pub const fn writes_segments(self) -> bool {
         matches!(self, Self::Poly | Self::GeoJson | Self::Svg | Self::Png)
+    }
+
+    /// Tells whether [`write_report`](crate::write_report) can write the format.
+    pub const fn writes_report(self) -> bool {
+        matches!(self, Self::Svg | Self::Png | Self::Html)
     }
 
     /// Tells whether the format is a picture.

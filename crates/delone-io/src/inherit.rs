@@ -2,13 +2,30 @@
 //! vertices and segments.
 //!
 //! An edge has the first marker that is not 0 among those of its segments, in the order of the
-//! input. A vertex at a crossing has the marker of the first of the two segments, and attributes
-//! interpolated along it. A triangle has the attribute of its region, 0 outside of all, as in Triangle.
+//! input; edges of the convex hull that refinement made segments of have marker 1. A vertex at a
+//! crossing has the marker of the first of the two segments, and attributes interpolated along it. A
+//! triangle has the attribute of its region, 0 outside of all, as in Triangle.
 //!
-//! *Cost*: O(n + s log s) for n points and triangles, and s constrained edges with multiplicity.
+//! Steiner points make no new data, they refine the old: attributes stay those of the surface that
+//! is linear in every triangle of the constrained triangulation before refinement, so that breaklines
+//! remain and no value leaves the range of the input's. On a segment that is interpolation between its
+//! vertices next to the point. There the marker is that of the edge; where this has none, 1 on the
+//! boundary and 0 elsewhere, as in Triangle. Free Steiner points have marker 0.
+//!
+//! *Cost*: O(n + s log s) for n points and triangles, and s constrained edges with multiplicity; if
+//! there are attributes and free Steiner points, also that of triangulating the input once more.
+
+mod markers;
+mod steiner;
+mod surface;
 
 use crate::{Attribute, Constraints, DomainData, Error, cancel};
 use delone::{ConstrainedTriangulation, Origin, Point, TriangleId, VertexId, Watch};
+use std::ops::Range;
+use steiner::Steiner;
+
+/// The marker of hull edges that refinement made segments of: what Triangle gives a boundary.
+const HULL: i32 = 1;
 
 /// Data of the vertices, triangles and edges of a [`ConstrainedTriangulation`], to be
 /// [viewed](crate::MeshView::constrained) with it.
@@ -35,18 +52,45 @@ impl Inherited {
         domain: DomainData,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
+        Self::marked(result, domain, Marking::Sparing, watch)
+    }
+
+    /// Does the same, but gives every vertex a marker, as Triangle does: if its own is 0, the first that
+    /// is not 0 among those of its segments or, if there is none, 1 on the boundary.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn as_in_triangle(
+        result: &ConstrainedTriangulation,
+        domain: DomainData,
+        watch: &dyn Watch,
+    ) -> Result<Self, Error> {
+        Self::marked(result, domain, Marking::Full, watch)
+    }
+
+    fn marked(
+        result: &ConstrainedTriangulation,
+        domain: DomainData,
+        marking: Marking,
+        watch: &dyn Watch,
+    ) -> Result<Self, Error> {
         check_lengths(result, &domain)?;
+        let of_segments = domain.segment_markers;
+        let marker_of = |segment: usize| match &of_segments {
+            _ if segment >= result.num_input_segments() => HULL,
+            Some(markers) => markers[segment],
+            None => 0,
+        };
         let mut attributes = domain.vertices.attributes;
+        let markers = marking.vertices(result, domain.vertices.markers, marker_of);
         for attribute in &mut attributes {
-            extend(result, &mut attribute.values, |at, [i, _], values| {
-                interpolate(result, i, at, values)
+            add_crossings(result, &mut attribute.values, |at, segment, values| {
+                let ends = result.segments()[segment];
+                interpolate(result, ends, at, values)
             });
         }
-        let of_segments = domain.segment_markers;
-        let mut markers = domain.vertices.markers;
-        if let Some(markers) = &mut markers {
-            let marker_of = |i: usize| of_segments.as_ref().map_or(0, |markers| markers[i]);
-            extend(result, markers, |_, [i, _], _| marker_of(i));
+        if result.num_steiner() > 0 {
+            Steiner::of(result).add_attributes(&mut attributes, watch)?;
         }
         // Holes by parity are named too, so that a .poly means the same domain under its usual rule.
         let holes = match domain.holes {
@@ -54,7 +98,7 @@ impl Inherited {
             holes => holes,
         };
         let region_of = regions_of_triangles(result);
-        let (edges, edge_markers) = edges(result, of_segments.as_deref(), watch)?;
+        let (edges, edge_markers) = edges(result, marker_of, watch)?;
         Ok(Self {
             attributes,
             markers,
@@ -64,13 +108,47 @@ impl Inherited {
                 .collect(),
             constraints: Constraints {
                 edges,
-                markers: of_segments.map(|_| edge_markers),
+                markers: of_segments.is_some().then_some(edge_markers),
                 holes,
                 regions: result.regions().to_vec(),
                 region_of,
-                num_crossings: result.num_crossings(),
+                crossings: crossings(result),
             },
         })
+    }
+}
+
+/// Which vertices have markers that are not their own.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Marking {
+    /// Those that were added, if the others have any.
+    Sparing,
+    /// All that have none.
+    Full,
+}
+
+impl Marking {
+    /// Gives every vertex its marker; `own` are those of the input.
+    fn vertices(
+        self,
+        result: &ConstrainedTriangulation,
+        own: Option<Vec<i32>>,
+        marker_of: impl Fn(usize) -> i32,
+    ) -> Option<Vec<i32>> {
+        let mut markers = match self {
+            Self::Sparing => own?,
+            Self::Full => own.unwrap_or_default(),
+        };
+        let first = match self {
+            Self::Sparing => {
+                add_crossings(result, &mut markers, |_, segment, _| marker_of(segment));
+                markers.len()
+            }
+            Self::Full => 0,
+        };
+        markers.resize(result.triangulation().points().len(), 0);
+        markers::take_over(&mut markers, first, result, marker_of);
+        Some(markers)
     }
 }
 
@@ -81,7 +159,7 @@ fn check_lengths(result: &ConstrainedTriangulation, domain: &DomainData) -> Resu
             "{found} {what} for {expected}: not the domain that was triangulated"
         ))),
     };
-    let (n, s) = (result.num_input_points(), result.segments().len());
+    let (n, s) = (result.num_input_points(), result.num_input_segments());
     for attribute in &domain.vertices.attributes {
         check("attributes of points", attribute.values.len(), n)?;
     }
@@ -94,29 +172,33 @@ fn check_lengths(result: &ConstrainedTriangulation, domain: &DomainData) -> Resu
     )
 }
 
-/// Appends a value for each vertex that is a crossing; `value` gets its position, its segments and
-/// the values of the input.
-fn extend<T: Copy>(
+/// Returns the vertices where segments cross.
+fn crossings(result: &ConstrainedTriangulation) -> Range<usize> {
+    let first = result.num_input_points();
+    first..first + result.num_crossings()
+}
+
+/// Appends a value for each vertex that is a crossing; `value` gets its position, the first of its
+/// segments and the values so far.
+fn add_crossings<T: Copy>(
     result: &ConstrainedTriangulation,
     values: &mut Vec<T>,
-    value: impl Fn(Point, [usize; 2], &[T]) -> T,
+    value: impl Fn(Point, usize, &[T]) -> T,
 ) {
-    let triangulation = result.triangulation();
-    for v in (values.len()..triangulation.points().len()).map(VertexId::new) {
-        if let Origin::Crossing(segments) = result.origin(v) {
-            values.push(value(triangulation.point(v), segments, values));
+    for v in crossings(result).map(VertexId::new) {
+        if let Origin::Crossing([segment, _]) = result.origin(v) {
+            values.push(value(result.triangulation().point(v), segment, values));
         }
     }
 }
 
-/// Interpolates along a segment.
+/// Interpolates between two vertices, for a point near their line.
 fn interpolate(
     result: &ConstrainedTriangulation,
-    segment: usize,
+    ends: [VertexId; 2],
     at: Point,
     values: &[f64],
 ) -> f64 {
-    let ends = result.segments()[segment];
     let [a, b] = ends.map(|v| result.triangulation().point(v));
     let [low, high] = ends.map(|v| values[v.index()]);
     if low == high {
@@ -142,13 +224,13 @@ fn share(a: Point, b: Point, at: Point) -> f64 {
 /// Lists the constrained edges, sorted by their ends, with their markers.
 fn edges(
     result: &ConstrainedTriangulation,
-    markers: Option<&[i32]>,
+    marker_of: impl Fn(usize) -> i32,
     watch: &dyn Watch,
 ) -> Result<(Vec<[VertexId; 2]>, Vec<i32>), Error> {
     let mut owned = Vec::with_capacity(result.segments().len());
     for segment in 0..result.segments().len() {
         cancel::check(watch, segment)?;
-        let marker = markers.map_or(0, |markers| markers[segment]);
+        let marker = marker_of(segment);
         let edges = result.chain(segment).windows(2);
         // Those of marker 0 sort last: the first is then the first that is not 0.
         owned.extend(edges.map(|e| {

@@ -13,13 +13,15 @@
 //! |---|---|---|---|---|
 //! | `.node`, `.ele` (Triangle) | read | points | read, with `.poly` | both |
 //! | `.edge`, `.neigh` (Triangle) | | | | mesh |
+//! | `.area` (Triangle) | | | [`read_areas`] | |
 //! | `.poly` (Triangle) | read | read | beside `.ele` | domain; mesh with its family |
 //! | `.geojson` (RFC 7946) | read | read | | domain, mesh |
 //! | `.wkt` (well-known text) | read | read | | |
 //! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both |
 //! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | points | | points |
 //! | `.vtu` (VTK, ParaView) | read | points | read | both |
-//! | `.svg`, `.png` | | | | all |
+//! | `.svg`, `.png` | | | | all, report |
+//! | `.html` | | | | report |
 //!
 //! Points become a mesh:
 //!
@@ -64,6 +66,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod areas;
 mod cancel;
 mod constraints;
 mod domain;
@@ -82,8 +85,10 @@ mod picture;
 mod png;
 mod points;
 mod poly;
+mod report;
 mod scan;
 mod shapes;
+mod six_nodes;
 mod source;
 mod svg;
 mod table;
@@ -91,10 +96,13 @@ mod target;
 mod topology;
 mod triangle_files;
 mod unfinished;
+mod unmet;
 mod vtu;
 mod wkt;
+pub mod words;
 mod write;
 
+pub use areas::read_areas;
 pub use constraints::Constraints;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
@@ -102,7 +110,9 @@ pub use format::Format;
 pub use inherit::Inherited;
 pub use mesh::{MeshData, MeshView, read_mesh};
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
+pub use report::{ReportOptions, write_report};
 pub use source::Source;
 pub use target::Target;
 pub use unfinished::discard_unfinished_files;
+pub use unmet::Explainer;
 pub use write::{PictureOptions, WriteOptions, write_domain, write_mesh, write_points};

@@ -1,6 +1,7 @@
 //! Triangle meshes as files hold them, and how they are read.
 
 use crate::points::{read_sibling, resolve, unsupported};
+use crate::six_nodes::Middles;
 use crate::topology::{self, Topology};
 use crate::{Attribute, Constraints, Error, Format, Inherited, PointSet, ReadOptions, Source};
 use crate::{ele, node, npy, poly, vtu};
@@ -17,6 +18,8 @@ pub struct MeshData {
     pub triangle_attributes: Vec<Attribute>,
     /// What is constrained, if the files say so.
     pub constraints: Option<Constraints>,
+    /// Whether the triangles had six nodes; the midpoints of edges are not among the vertices.
+    pub quadratic: bool,
 }
 
 /// A mesh to be written: borrowed from a [`Triangulation`], a [`MeshData`] or arrays.
@@ -35,7 +38,11 @@ pub struct MeshView<'a> {
     /// What is constrained, if the mesh is one of a domain.
     pub constraints: Option<&'a Constraints>,
     /// Knows neighbours and edges without search, if there is one.
-    triangulation: Option<&'a Triangulation>,
+    pub(crate) triangulation: Option<&'a Triangulation>,
+    /// Whether triangles are to have six nodes, where that is possible.
+    pub(crate) is_quadratic: bool,
+    /// The midpoints among the nodes, once they have been made.
+    pub(crate) middles: Option<&'a Middles>,
 }
 
 impl<'a> MeshView<'a> {
@@ -49,6 +56,8 @@ impl<'a> MeshView<'a> {
             triangle_attributes: &[],
             constraints: None,
             triangulation: None,
+            is_quadratic: false,
+            middles: None,
         }
     }
 
@@ -78,6 +87,15 @@ impl<'a> MeshView<'a> {
     pub fn with_constraints(self, constraints: &'a Constraints) -> Self {
         Self {
             constraints: Some(constraints),
+            ..self
+        }
+    }
+
+    /// Makes triangles of six nodes, with the midpoints of their edges, for quadratic elements: in
+    /// `.node`, `.ele` and `.vtu`. Pictures and files of edges stay the same; other formats refuse.
+    pub fn quadratic(self) -> Self {
+        Self {
+            is_quadratic: true,
             ..self
         }
     }
@@ -160,6 +178,7 @@ impl<'a> From<&'a MeshData> for MeshView<'a> {
         Self {
             triangle_attributes: &mesh.triangle_attributes,
             constraints: mesh.constraints.as_ref(),
+            is_quadratic: mesh.quadratic,
             ..Self::new(&mesh.vertices.points, &mesh.triangles).with_data(&mesh.vertices)
         }
     }

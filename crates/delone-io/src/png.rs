@@ -6,7 +6,8 @@
 use crate::picture::accumulate::Accumulator;
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke as GlyphStroke;
-use crate::picture::legend::Legend;
+use crate::picture::legend::legend;
+use crate::picture::sheet::{Shape, Sheet};
 use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
 use crate::target::Output;
 use crate::{Error, MeshView, PictureOptions};
@@ -14,7 +15,7 @@ use delone::Watch;
 use std::io::Write;
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8,
-    Rect, Stroke, Transform,
+    Stroke, Transform,
 };
 
 /// Edges or bare points drawn between two looks at the watch.
@@ -31,11 +32,16 @@ pub(crate) fn write(
     watch: &dyn Watch,
 ) -> Result<(), Error> {
     let scene = Scene::new(out.file(), mesh, options, watch)?;
-    let mut page = draw(&scene)?;
+    out.many_bytes(&encode(&draw_with_legend(&scene)?, &scene)?)
+}
+
+/// Draws the mesh and its legend.
+pub(crate) fn draw_with_legend(scene: &Scene<'_>) -> Result<Pixmap, Error> {
+    let mut page = draw(scene)?;
     if scene.legend {
-        draw_legend(&mut page, &Legend::new(&scene));
+        draw_sheet(&mut page, &legend(scene));
     }
-    out.many_bytes(&encode(&page, &scene)?)
+    Ok(page)
 }
 
 /// Packs the pixels.
@@ -127,13 +133,7 @@ fn draw_band(page: &mut Pixmap, scene: &Scene<'_>, band: &Band) -> Result<(), Er
     scene.check()?;
     let mut builder = PathBuilder::new();
     for line in &band.loops {
-        for (i, &[x, y]) in line.iter().enumerate() {
-            match i {
-                0 => builder.move_to(x, y),
-                _ => builder.line_to(x, y),
-            }
-        }
-        builder.close();
+        push_loop(&mut builder, line);
     }
     let mask = Mask::new(page.width(), page.height());
     if let (Some(path), Some(mut mask)) = (builder.finish(), mask) {
@@ -228,27 +228,77 @@ fn draw_disc(page: &mut Pixmap, [x, y]: [f32; 2], radius: f32, color: Color) {
     }
 }
 
-fn draw_legend(page: &mut Pixmap, legend: &Legend) {
-    for &([x, y], [width, height], color) in &legend.bars {
-        // Bars without triangles have no width, hence are no rectangle.
-        if let Some(bar) = Rect::from_xywh(x, y, width, height) {
-            page.fill_rect(bar, &paint(color, 1.0), Transform::identity(), None);
+/// Draws the shapes of a sheet.
+pub(crate) fn draw_sheet(page: &mut Pixmap, sheet: &Sheet) {
+    for shape in &sheet.shapes {
+        draw_shape(page, shape);
+    }
+}
+
+fn draw_shape(page: &mut Pixmap, shape: &Shape) {
+    match *shape {
+        Shape::Bar {
+            corner: [x, y],
+            extent: [width, height],
+            color,
+        } => {
+            let (right, bottom) = (x + width, y + height);
+            fill(
+                page,
+                &[[x, y], [right, y], [right, bottom], [x, bottom]],
+                color,
+            );
+        }
+        Shape::Disc {
+            center,
+            radius,
+            color,
+        } => draw_disc(page, center, radius, color),
+        Shape::Area { ref corners, color } => fill(page, corners, color),
+        Shape::Lines {
+            ref path,
+            width,
+            color,
+            opacity,
+        } => {
+            let paint = paint(color, opacity);
+            stroke_path(page, path_of(path), &paint, &round_stroke(width));
         }
     }
-    if let Some((place, radius)) = legend.ring {
-        draw_disc(page, place, radius, INK);
-        draw_disc(page, place, RING * radius, PAPER);
+}
+
+/// Fills a polygon; also a rectangle, for `fill_rect` has no answer to some that are less than a pixel.
+fn fill(page: &mut Pixmap, corners: &[[f32; 2]], color: Color) {
+    let mut builder = PathBuilder::new();
+    push_loop(&mut builder, corners);
+    // A polygon without extent is none.
+    if let Some(path) = builder.finish() {
+        let paint = paint(color, 1.0);
+        let identity = Transform::identity();
+        page.fill_path(&path, &paint, FillRule::Winding, identity, None);
     }
+}
+
+fn push_loop(path: &mut PathBuilder, corners: &[[f32; 2]]) {
+    for (i, &[x, y]) in corners.iter().enumerate() {
+        match i {
+            0 => path.move_to(x, y),
+            _ => path.line_to(x, y),
+        }
+    }
+    path.close();
+}
+
+fn path_of(strokes: &[GlyphStroke]) -> Option<Path> {
     let mut path = PathBuilder::new();
-    for stroke in &legend.strokes {
+    for stroke in strokes {
         match *stroke {
             GlyphStroke::Move([x, y]) => path.move_to(x, y),
             GlyphStroke::Line([x, y]) => path.line_to(x, y),
             GlyphStroke::Cubic([a, b, c]) => path.cubic_to(a[0], a[1], b[0], b[1], c[0], c[1]),
         }
     }
-    let stroke = round_stroke(legend.stroke_width);
-    stroke_path(page, path.finish(), &paint(INK, 1.0), &stroke);
+    path.finish()
 }
 
 fn stroke_path(page: &mut Pixmap, path: Option<Path>, paint: &Paint<'_>, stroke: &Stroke) {

@@ -4,9 +4,9 @@
 //! then `h` and rows `number x y` for the holes, then perhaps `r` and rows `number x y attribute
 //! [largest area]` for the regions. Zero points mean that they stand in the `.node` file of the same
 //! stem. Segments, holes and regions may be numbered from 0 or 1, whatever the points are; a
-//! largest area that is not positive is none. Of a region's single number Triangle makes the
-//! attribute or the area, as its switches say; here it is the attribute. Where a region has no largest
-//! area, −1 is written.
+//! largest area that is not positive is none. A region's single number is, as in Triangle, its attribute
+//! and its largest area alike: who wants but one of them, leaves the other alone. Where a region has no
+//! largest area, −1 is written.
 
 use crate::scan::{self, Scanner};
 use crate::target::Output;
@@ -145,11 +145,11 @@ fn read_regions(scanner: &mut Scanner<'_>, regions: &mut Vec<Region>) -> Result<
     };
     block.read_ragged(scanner, 4, |number, cells| {
         let number_of = |cell| finite(cell, ("region", number), "attribute or area");
-        let max_area = cells.get(3).map(|cell| number_of(cell)).transpose()?;
+        let max_area = number_of(cells.get(3).unwrap_or(&cells[2]))?;
         regions.push(Region {
             at: seed(cells, ("region", number))?,
             attribute: number_of(cells[2])?,
-            max_area: max_area.filter(|&area| area > 0.0),
+            max_area: (max_area > 0.0).then_some(max_area),
         });
         Ok(())
     })?;
@@ -186,8 +186,16 @@ fn finite(cell: &[u8], (item, number): (&str, u64), what: &str) -> Result<f64, P
 }
 
 /// Writes the header that says that the points stand elsewhere.
-pub(crate) fn write_header(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Error> {
-    out.text(format_args!("0 2 {} 1\n", mesh.attributes.len()))
+pub(crate) fn write_header(
+    out: &mut Output<'_>,
+    mesh: &MeshView<'_>,
+    has_markers: bool,
+) -> Result<(), Error> {
+    let has_markers = usize::from(has_markers);
+    out.text(format_args!(
+        "0 2 {} {has_markers}\n",
+        mesh.attributes.len()
+    ))
 }
 
 /// Writes the constrained edges as segments, holes and regions, everything numbered from `base`.

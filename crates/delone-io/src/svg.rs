@@ -6,7 +6,8 @@
 
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke;
-use crate::picture::legend::Legend;
+use crate::picture::legend::legend;
+use crate::picture::sheet::{Shape, Sheet};
 use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
 use crate::png;
 use crate::target::Output;
@@ -34,30 +35,43 @@ pub(crate) fn write(
          <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
         PAPER.hex()
     ))?;
-    if m.max(n).max(scene.num_segments()) > MAX_SHAPES {
-        write_image(out, &scene)?;
+    write_drawing(out, &scene)?;
+    out.text(format_args!("</svg>\n"))
+}
+
+/// Writes the mesh and its legend.
+pub(crate) fn write_drawing(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
+    if scene.num_shapes() > MAX_SHAPES {
+        write_image(out, scene)?;
     } else {
-        write_triangles(out, &scene)?;
-        for (i, band) in scene.bands()?.iter().enumerate() {
-            write_band(out, &scene, i, band)?;
-        }
-        for class in scene.edges()? {
-            write_edges(out, &class, INK)?;
-        }
-        for (lines, color) in scene.segments()? {
-            write_edges(out, &lines, color)?;
-        }
-        if let Some((dots, radius)) = scene.dots() {
-            write_dots(out, dots, radius, INK)?;
-        }
-        if let Some((places, radius)) = scene.crossings() {
-            write_rings(out, &places.collect::<Vec<_>>(), radius)?;
-        }
+        write_shapes(out, scene)?;
     }
     if scene.legend {
-        write_legend(out, &Legend::new(&scene))?;
+        write_sheet(out, &legend(scene), &INK.hex())?;
     }
-    out.text(format_args!("</svg>\n"))
+    Ok(())
+}
+
+fn write_shapes(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
+    write_triangles(out, scene)?;
+    for (i, band) in scene.bands()?.iter().enumerate() {
+        write_band(out, scene, i, band)?;
+    }
+    for class in scene.edges()? {
+        write_edges(out, &class, INK)?;
+    }
+    for (lines, color) in scene.segments()? {
+        write_edges(out, &lines, color)?;
+    }
+    if let Some((dots, radius)) = scene.dots() {
+        write_dots(out, dots, radius, INK)?;
+    }
+    if let Some((places, radius)) = scene.crossings() {
+        let places: Vec<_> = places.collect();
+        write_dots(out, places.iter().copied(), radius, INK)?;
+        write_dots(out, places.into_iter(), RING * radius, PAPER)?;
+    }
+    Ok(())
 }
 
 fn write_image(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
@@ -169,39 +183,81 @@ fn write_dots(
     out.text(format_args!("\"/>\n"))
 }
 
-fn write_rings(out: &mut Output<'_>, places: &[[f32; 2]], radius: f32) -> Result<(), Error> {
-    write_dots(out, places.iter().copied(), radius, INK)?;
-    write_dots(out, places.iter().copied(), RING * radius, PAPER)
+/// Writes the shapes of a sheet; `ink` is what stands for the colour of ink.
+pub(crate) fn write_sheet(out: &mut Output<'_>, sheet: &Sheet, ink: &str) -> Result<(), Error> {
+    let hue = |color: Color| match color {
+        INK => ink.to_owned(),
+        _ => color.hex(),
+    };
+    for alike in sheet.shapes.chunk_by(|a, b| a.is_bar() == b.is_bar()) {
+        let rendering = match alike[0].is_bar() {
+            true => " shape-rendering=\"crispEdges\"",
+            false => "",
+        };
+        out.text(format_args!("<g{rendering}>\n"))?;
+        for shape in alike {
+            write_shape(out, shape, hue)?;
+        }
+        out.text(format_args!("</g>\n"))?;
+    }
+    Ok(())
 }
 
-fn write_legend(out: &mut Output<'_>, legend: &Legend) -> Result<(), Error> {
-    out.text(format_args!("<g shape-rendering=\"crispEdges\">\n"))?;
-    for ([x, y], [width, height], color) in &legend.bars {
-        out.text(format_args!(
+fn write_shape(
+    out: &mut Output<'_>,
+    shape: &Shape,
+    hue: impl Fn(Color) -> String,
+) -> Result<(), Error> {
+    match *shape {
+        Shape::Bar {
+            corner: [x, y],
+            extent: [width, height],
+            color,
+        } => out.text(format_args!(
             "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{}\"/>\n",
-            color.hex()
-        ))?;
-    }
-    out.text(format_args!("</g>\n"))?;
-    if let Some((place, radius)) = legend.ring {
-        write_rings(out, &[place], radius)?;
-    }
-    out.text(format_args!(
-        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"",
-        INK.hex(),
-        legend.stroke_width
-    ))?;
-    for stroke in &legend.strokes {
-        match stroke {
-            Stroke::Move([x, y]) => out.text(format_args!("M{x:.1} {y:.1}"))?,
-            Stroke::Line([x, y]) => out.text(format_args!("L{x:.1} {y:.1}"))?,
-            Stroke::Cubic([a, b, c]) => out.text(format_args!(
-                "C{:.1} {:.1} {:.1} {:.1} {:.1} {:.1}",
-                a[0], a[1], b[0], b[1], c[0], c[1]
-            ))?,
+            hue(color)
+        )),
+        Shape::Disc {
+            center: [x, y],
+            radius,
+            color,
+        } => out.text(format_args!(
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\" fill=\"{}\"/>\n",
+            hue(color)
+        )),
+        Shape::Area { ref corners, color } => {
+            out.text(format_args!("<path fill=\"{}\" d=\"", hue(color)))?;
+            for (i, [x, y]) in corners.iter().enumerate() {
+                let command = if i == 0 { 'M' } else { 'L' };
+                out.text(format_args!("{command}{x:.1} {y:.1}"))?;
+            }
+            out.text(format_args!("z\"/>\n"))
+        }
+        Shape::Lines {
+            ref path,
+            width,
+            color,
+            opacity,
+        } => {
+            out.text(format_args!(
+                "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{width:.2}\" stroke-opacity=\"{opacity:.2}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"",
+                hue(color)
+            ))?;
+            write_strokes(out, path)?;
+            out.text(format_args!("\"/>\n"))
         }
     }
-    out.text(format_args!("\"/>\n"))
+}
+
+fn write_strokes(out: &mut Output<'_>, path: &[Stroke]) -> Result<(), Error> {
+    path.iter().try_for_each(|stroke| match stroke {
+        Stroke::Move([x, y]) => out.text(format_args!("M{x:.1} {y:.1}")),
+        Stroke::Line([x, y]) => out.text(format_args!("L{x:.1} {y:.1}")),
+        Stroke::Cubic([a, b, c]) => out.text(format_args!(
+            "C{:.1} {:.1} {:.1} {:.1} {:.1} {:.1}",
+            a[0], a[1], b[0], b[1], c[0], c[1]
+        )),
+    })
 }
 
 /// Rounds to tenths of a pixel, as an integer.

@@ -74,6 +74,38 @@ impl Topology {
         Ok(Self { neighbors, edges })
     }
 
+    /// Finds for each triangle its edges, opposite its corners, as indices of [`edges`](Self::edges).
+    pub fn sides(
+        &self,
+        triangles: &[[VertexId; 3]],
+        watch: &dyn Watch,
+    ) -> Result<Vec<[u32; 3]>, Error> {
+        let mut sides: Vec<[u32; 3]> = Vec::with_capacity(triangles.len());
+        let mut next = 0;
+        for (t, &triangle) in triangles.iter().enumerate() {
+            cancel::check(watch, t)?;
+            let mut row = [0; 3];
+            for (k, side) in row.iter_mut().enumerate() {
+                let neighbor = self.neighbors[t][k];
+                // Numbered as they were listed: by the smaller of two triangles.
+                if (t as u32) < neighbor {
+                    *side = next;
+                    next += 1;
+                    continue;
+                }
+                let neighbor = neighbor as usize;
+                let [from, to] = ends(triangle, k);
+                let is_same = |&j: &usize| ends(triangles[neighbor], j) == [to, from];
+                let slot = (0..3)
+                    .find(is_same)
+                    .expect("bug: neighbours without an edge");
+                *side = sides[neighbor][slot];
+            }
+            sides.push(row);
+        }
+        Ok(sides)
+    }
+
     /// Marks each vertex: 1 on the boundary, 0 elsewhere.
     pub fn boundary_markers(&self, num_vertices: usize) -> Vec<i32> {
         let mut markers = vec![0; num_vertices];
@@ -191,6 +223,16 @@ mod tests {
         assert_eq!(known.neighbors, found.neighbors);
         assert_eq!(known.edges, found.edges);
         assert_eq!(known.edges.len(), t.num_edges());
+        let sides = known.sides(t.triangles(), &()).expect("not cancelled");
+        for (&triangle, row) in t.triangles().iter().zip(&sides) {
+            for (k, &side) in row.iter().enumerate() {
+                let mut found = known.edges[side as usize].ends;
+                let mut own = super::ends(triangle, k);
+                found.sort();
+                own.sort();
+                assert_eq!(found, own);
+            }
+        }
         let mut on_hull = vec![0; t.points().len()];
         t.hull().for_each(|v| on_hull[v.index()] = 1);
         assert_eq!(known.boundary_markers(on_hull.len()), on_hull);

@@ -4,7 +4,7 @@
 //! with z = 0, the triangles, attributes as point and cell data, all arrays inline in base64 without
 //! compression; constrained edges follow as lines, with the cell data `marker` (0 for triangles) and
 //! `region` (−1 where there is none). Read are triangles, and lines as constrained edges, in inline
-//! base64 or ASCII arrays; appended and compressed data are not. A z that is not zero everywhere becomes an attribute, as does each component of data
+//! base64 or ASCII arrays, both also with the midpoints of their edges; appended and compressed data are not. A z that is not zero everywhere becomes an attribute, as does each component of data
 //! that have several.
 
 mod array;
@@ -23,6 +23,12 @@ const TRIANGLE: u8 = 5;
 
 /// VTK's number for a line of two vertices.
 const LINE: u8 = 3;
+
+/// VTK's number for a triangle with the midpoints of edge 01, 12 and 20.
+const QUADRATIC_TRIANGLE: u8 = 22;
+
+/// VTK's number for a line with its midpoint.
+const QUADRATIC_LINE: u8 = 21;
 
 /// Why reading stopped early.
 enum Stop {

@@ -6,6 +6,7 @@ mod plain;
 pub use plain::{write_domain, write_points};
 
 use crate::constraints::EdgeMarkers;
+use crate::six_nodes::SixNodes;
 use crate::target::{Output, Staging};
 use crate::topology::Topology;
 use crate::{Error, MeshView, Target};
@@ -20,8 +21,20 @@ use std::path::PathBuf;
 pub struct WriteOptions {
     /// Numbers points and triangles from 1 instead of 0, in the formats of Triangle.
     pub one_based: bool,
+    /// Of the formats of Triangle, writes the file that is named and not those that go with it; a
+    /// `.poly` then has no points.
+    pub one_by_one: bool,
+    /// Leaves markers out, in the formats of Triangle.
+    pub without_markers: bool,
     /// How pictures look.
     pub picture: PictureOptions,
+}
+
+impl WriteOptions {
+    /// Returns the markers, unless they are to be left out.
+    fn marking<'m>(&self, markers: &'m [i32]) -> Option<&'m [i32]> {
+        (!self.without_markers).then_some(markers)
+    }
 }
 
 /// How pictures look.
@@ -53,6 +66,7 @@ impl Default for PictureOptions {
 ///   is constrained, also `stem.segments.npy`, `int32` (k, 3), the ends of the edges and their markers.
 /// - `.geojson` and `.vtu` hold triangles with their regions and attributes, and constrained edges, as
 ///   lines, with their markers.
+/// - Triangles of [six nodes](MeshView::quadratic) go into `.node`, `.ele` and `.vtu`.
 /// - Standard output takes just the one file that the format names; for `.npy` the triangles, for
 ///   `.poly` the points too.
 ///
@@ -69,7 +83,7 @@ pub fn write_mesh(
     watch: &dyn Watch,
 ) -> Result<Vec<PathBuf>, Error> {
     mesh.validate()?;
-    let files = files::of_mesh(targets, mesh)?;
+    let files = files::of_mesh(targets, mesh, options)?;
     let prepared = Prepared::new(mesh, &files, watch)?;
     let edges = prepared.topology.as_ref().map_or(0, |t| t.edges.len());
     let rows = |f: &OutFile| f.content.rows(mesh, edges);
@@ -90,6 +104,8 @@ struct Prepared<'a> {
     markers: Cow<'a, [i32]>,
     /// Markers of all edges, and of the constrained ones.
     edge_markers: EdgeMarkers,
+    /// The nodes with midpoints, if triangles are to have six.
+    six_nodes: Option<SixNodes>,
 }
 
 impl<'a> Prepared<'a> {
@@ -105,11 +121,19 @@ impl<'a> Prepared<'a> {
             Some(topology) => EdgeMarkers::new(mesh, topology, watch)?,
             None => EdgeMarkers::default(),
         };
+        let six_nodes = match &topology {
+            Some(topology) if mesh.is_quadratic => {
+                let made = SixNodes::new(mesh, topology, &markers, &edge_markers, watch);
+                Some(made?)
+            }
+            _ => None,
+        };
         Ok(Self {
             mesh,
             topology,
             markers,
             edge_markers,
+            six_nodes,
         })
     }
 
@@ -125,24 +149,35 @@ impl<'a> Prepared<'a> {
         } = self;
         let base = usize::from(options.one_based);
         let topology = || self.topology.as_ref().expect("bug: topology was needed");
+        let with_midpoints = self.six_nodes.as_ref().map(|nodes| nodes.view(mesh));
+        let nodes = with_midpoints.as_ref().unwrap_or(mesh);
         match content {
-            Content::Node => node::write(out, mesh, Some(&self.markers), base),
-            Content::Ele => ele::write(out, mesh, base),
-            Content::Edge => edge::write(out, topology(), &edge_markers.all, base),
+            Content::Node => {
+                let markers = self.six_nodes.as_ref().map(|nodes| &nodes.markers[..]);
+                node::write(
+                    out,
+                    nodes,
+                    options.marking(markers.unwrap_or(&self.markers)),
+                    base,
+                )
+            }
+            Content::Ele => ele::write(out, nodes, base),
+            Content::Edge => edge::write(out, topology(), options.marking(&edge_markers.all), base),
             Content::Neigh => neigh::write(out, topology(), base),
             Content::Poly => {
-                poly::write_header(out, mesh)?;
-                poly::write_graph(out, mesh, Some(&edge_markers.constrained), base)
+                let markers = options.marking(&edge_markers.constrained);
+                poly::write_header(out, mesh, markers.is_some())?;
+                poly::write_graph(out, mesh, markers, base)
             }
             Content::WholePoly => {
-                node::write(out, mesh, Some(&self.markers), base)?;
-                poly::write_graph(out, mesh, Some(&edge_markers.constrained), base)
+                node::write(out, mesh, options.marking(&self.markers), base)?;
+                poly::write_graph(out, mesh, options.marking(&edge_markers.constrained), base)
             }
             Content::NpyTriangles => npy::write_triangles(out, mesh),
             Content::NpyPoints => npy::write_points(out, mesh),
             Content::NpySegments => npy::write_segments(out, mesh, &edge_markers.constrained),
             Content::GeoJson => geojson::write_mesh(out, mesh, &edge_markers.constrained),
-            Content::Vtu => vtu::write(out, mesh, &edge_markers.constrained),
+            Content::Vtu => vtu::write(out, nodes, &edge_markers.constrained),
             Content::Svg => svg::write(out, mesh, &options.picture, watch),
             Content::Png => png::write(out, mesh, &options.picture, watch),
         }

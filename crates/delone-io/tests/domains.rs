@@ -56,7 +56,7 @@ fn a_poly_file_is_read_whole() {
     };
     let regions = [
         region(1.0, 0.25, Some(0.125)),
-        region(2.0, 7.0, None),
+        region(2.0, 7.0, Some(7.0)),
         region(3.0, 8.0, None),
     ];
     assert_eq!(domain.regions, regions);

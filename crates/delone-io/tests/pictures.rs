@@ -130,7 +130,7 @@ fn regions() -> (Vec<Point>, Vec<[VertexId; 3]>, Constraints) {
             .to_vec(),
         regions: vec![region((3.0, 1.0)), region((1.0, 3.0))],
         region_of: Some(vec![Some(0), Some(1)]),
-        num_crossings: 1,
+        crossings: 5..6,
         ..Constraints::default()
     };
     (

@@ -50,6 +50,7 @@ prop_compose! {
             },
             triangles,
             constraints: None,
+            quadratic: false,
         }
     }
 }

@@ -119,6 +119,50 @@ pub enum Error {
         /// Index of the segment.
         segment: usize,
     },
+    /// A bound on the quality of triangles makes no sense.
+    #[error("{given} was asked for as the {what}")]
+    BadQuality {
+        /// Which bound, and what it must be.
+        what: &'static str,
+        /// The value given.
+        given: f64,
+    },
+    /// A sizing field has not one size for each point, or not one area for each triangle.
+    #[error("{given} sizes given for {expected} {of}; each needs one")]
+    SizesMissing {
+        /// Number of sizes given.
+        given: usize,
+        /// Number of points or triangles.
+        expected: usize,
+        /// Points, or triangles.
+        of: &'static str,
+    },
+    /// A size of a sizing field is not a positive finite number.
+    #[error(
+        "the size at point {index} is {given}: it must be positive and finite; repair or remove it"
+    )]
+    BadSize {
+        /// Index of the point.
+        index: usize,
+        /// The size given.
+        given: f64,
+    },
+    /// A triangle names a point that does not exist.
+    #[error("triangle {triangle} names point {vertex}, but there are {points} points")]
+    BadTriangle {
+        /// Index of the triangle.
+        triangle: usize,
+        /// The point it names.
+        vertex: VertexId,
+        /// Number of points.
+        points: usize,
+    },
+    /// Something was asked of the thesis' strategy that it does not know.
+    #[error("the strategy of the thesis has no {what}; use the default strategy, or do without")]
+    NotInThesis {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// The caller's [`Watch`](crate::Watch) asked to stop.
     #[error("cancelled")]
     Cancelled,

@@ -31,6 +31,25 @@
 //! # Ok::<(), delone::Error>(())
 //! ```
 //!
+//! Refinement adds vertices to a domain until its triangles are good, and reports what it has reached:
+//!
+//! ```
+//! use delone::{Angle, DomainRule, Outcome, Pslg, Quality, Refinement};
+//!
+//! let mut outline = Pslg::from_points([(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 4.0), (0.0, 3.0)]);
+//! outline.add_ring([0, 1, 2, 3, 4]);
+//! let quality = Quality {
+//!     min_angle: Some(Angle::degrees(30.0)),
+//!     max_edge: Some(0.5), // in units of the coordinates
+//!     ..Quality::default()
+//! };
+//! let refined = Refinement::new(quality).domain(DomainRule::Carve).mesh(outline)?;
+//! assert_eq!(refined.report.outcome, Outcome::Complete);
+//! assert!(refined.report.unmet.is_empty()); // else each with its reason
+//! assert!(refined.report.statistics.longest_edge <= 0.5);
+//! # Ok::<(), delone::Error>(())
+//! ```
+//!
 //! # Guarantees
 //!
 //! - **Exact**: every decision is the true sign, for all finite `f64`, subnormals included. There is
@@ -43,6 +62,9 @@
 //!   Refused are coordinates that are not finite, segments that cross unless they are to be split,
 //!   seeds of holes and regions on segments, and more points than 32-bit ids can number; the
 //!   [`Error`] names the culprit. Nothing panics on input.
+//! - **Ends**: refinement does, for every input and every angle, and names each triangle that is not as
+//!   asked, with the reason. The mesh is canonical, too: *the* constrained Delaunay triangulation of its
+//!   vertices and subsegments.
 //!
 //! Conventions: y points up, counter-clockwise is positive, vertices keep the caller's numbers, and
 //! −0.0 is 0.0.
@@ -55,6 +77,9 @@
 //!   constrained edges, the regions, and the lineage of vertices and segments.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
 //!   [`mesh`]: its half-edges.
+//! - [`Refinement`]: from a domain to a [`RefinedMesh`] of the [`Quality`] asked for, and its [`Report`];
+//!   [`sizing`](mod@sizing): how large triangles may be, place by place; [`Observer`]: algorithms at work, step
+//!   by step.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
 //! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
 //!
@@ -71,11 +96,14 @@ mod hash;
 pub mod locate;
 mod memory;
 pub mod mesh;
+mod observe;
 mod pace;
 mod parallel;
 mod point;
 pub mod predicates;
 mod pslg;
+mod quality;
+mod refine;
 mod triangulation;
 mod watch;
 
@@ -84,9 +112,15 @@ pub use delaunay::{Delaunay, triangulate};
 pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
+pub use observe::{Event, Observer, Stage};
 pub use point::Point;
 pub use pslg::{
     DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,
+};
+pub use quality::{Angle, Broken, Locked, Quality};
+pub use refine::{
+    Budget, Encroachment, Outcome, Reason, RefinedMesh, Refinement, Report, SizingField, Strategy,
+    Unmet, sizing,
 };
 pub use triangulation::{Duplicate, Triangulation};
 pub use watch::{Phase, Watch};

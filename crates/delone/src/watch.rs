@@ -16,6 +16,11 @@ pub enum Phase {
     Constrain,
     /// Finding the domain, its holes and regions.
     Carve,
+    /// Refining; units are vertices, and nobody knows beforehand how many it will take: the total is an
+    /// estimate.
+    Refine,
+    /// Moving vertices to better places.
+    Smooth,
     /// Renumbering into the caller's order.
     Export,
     /// Verifying a triangulation.

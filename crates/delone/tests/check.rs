@@ -635,7 +635,7 @@ fn measures_a_right_isosceles_triangle() {
 fn sums_up_a_grid() {
     let (points, triangles) = grid(5);
     let triangles: Vec<_> = triangles.iter().map(|t| t.map(VertexId::from)).collect();
-    let quality = check::quality(&points, &triangles);
+    let quality = check::statistics(&points, &triangles);
     assert_eq!((quality.triangles, quality.area), (32, 16.0));
     assert!((quality.min_angle - 45.0).abs() < 1e-9);
     assert!((quality.max_angle - 90.0).abs() < 1e-9);
@@ -646,13 +646,13 @@ fn sums_up_a_grid() {
     );
     assert_eq!(quality.min_angles[44] + quality.min_angles[45], 32);
     let equilateral = [(0., 0.), (1., 0.), (0.5, 0.75f64.sqrt())].map(Point::from);
-    let quality = check::quality(&equilateral, &[[0, 1, 2].map(VertexId::from)]);
+    let quality = check::statistics(&equilateral, &[[0, 1, 2].map(VertexId::from)]);
     assert_eq!(quality.min_angles[59], 1);
     assert!((quality.worst_aspect - 2.0 / 3f64.sqrt()).abs() < 1e-9);
 }
 
 #[test]
 fn sums_up_nothing() {
-    let quality = check::quality(&[], &[]);
+    let quality = check::statistics(&[], &[]);
     assert_eq!((quality.triangles, quality.mean_min_angle), (0, 0.0));
 }

@@ -66,6 +66,29 @@ const ROOMS: &[(&str, &[&str])] = &[
             "pace",
         ],
     ),
+    ("quality", &["error"]),
+    ("observe", &["point", "mesh::VertexId", "quality::Angle"]),
+    (
+        "refine",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "triangulation",
+            "pslg",
+            "quality",
+            "observe",
+            "delaunay",
+            "constrained",
+            // Measures only: refinement reports what its mesh is like.
+            "check",
+            "error",
+            "watch",
+            "memory",
+            "parallel",
+            "pace",
+        ],
+    ),
     // The verifier trusts no builder: of the mesh it has the ids, and nothing that holds twins.
     (
         "check",
@@ -78,6 +101,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "pslg::Pslg",
             "pslg::Region",
             "pslg::DomainRule",
+            "quality",
             "mesh::VertexId",
             "mesh::HalfEdgeId",
             "mesh::TriangleId",
@@ -92,6 +116,7 @@ const FOREIGN: &[(&str, &[&str])] = &[
     ("xxhash_rust", &["hash"]),
     ("rayon", &["parallel"]),
     ("libc", &["memory"]),
+    ("libm", &["refine"]),
     ("thiserror", &["error", "check", "mesh", "constrained"]),
 ];
 

@@ -1,5 +1,5 @@
-//! Holds the README to the truth: its five lines are those of `examples/first.rs`, and those for a
-//! domain of `examples/domain.rs`, and their output is theirs.
+//! Holds the README to the truth: its lines for points are those of `examples/first.rs`, and those for
+//! a mesh of `examples/mesh.rs`, and their output is theirs.
 
 use std::cell::RefCell;
 use std::path::Path;
@@ -18,10 +18,10 @@ macro_rules! println {
     };
 }
 
-#[path = "../examples/domain.rs"]
-mod domain;
 #[path = "../examples/first.rs"]
 mod first;
+#[path = "../examples/mesh.rs"]
+mod mesh;
 
 fn read(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
@@ -36,7 +36,7 @@ fn body(example: &str) -> String {
         .skip(1);
     lines
         .take_while(|line| line.trim() != "Ok(())")
-        .map(|line| format!("{}\n", line.trim_start()))
+        .map(|line| format!("{}\n", line.strip_prefix("    ").unwrap_or(line)))
         .collect()
 }
 
@@ -59,6 +59,6 @@ fn the_readme_shows_the_example_and_its_output() {
 }
 
 #[test]
-fn the_readme_shows_the_example_of_a_domain_and_its_output() {
-    require("examples/domain.rs", 6, domain::main);
+fn the_readme_shows_the_example_of_a_mesh_and_its_output() {
+    require("examples/mesh.rs", 12, mesh::main);
 }

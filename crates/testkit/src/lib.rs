@@ -5,3 +5,4 @@ pub mod domains;
 pub mod fuzz;
 pub mod generate;
 pub mod naive;
+pub mod refined;

@@ -2,9 +2,10 @@
 
 use super::drawing::Drawing;
 use super::presence::Absences;
+use super::shortfall::Shortfall;
 use crate::memory::peak_rss_bytes;
 use crate::words::{counted, duration, measure};
-use delone::check::{Certificate, DomainNumbers, Quality, Verdict, quality};
+use delone::check::{self, Certificate, DomainNumbers, Statistics, Verdict};
 use delone_io::{MeshData, Source};
 use serde::Serialize;
 use std::fmt;
@@ -24,16 +25,20 @@ pub struct Report {
     hash: Option<String>,
     proven: &'static [&'static str],
     domain: Option<Domain>,
+    bounds: Option<Shortfall>,
     defects: Listed,
     quality: Option<Shapes>,
     seconds: Seconds,
     peak_rss_bytes: Option<u64>,
-    /// Whether the file counts from 1; words always count from 0.
+    /// Whether a file counts from 1; words always count from 0.
     #[serde(skip)]
     one_based: bool,
     /// Whether the mesh has constrained edges.
     #[serde(skip)]
     is_of_domain: bool,
+    /// Whether it may have Steiner points.
+    #[serde(skip)]
+    is_refined: bool,
     #[serde(skip)]
     numbers: Option<DomainNumbers>,
 }
@@ -44,6 +49,8 @@ struct Domain {
     file: String,
     rule: String,
     added: Option<usize>,
+    steiner: Option<usize>,
+    steiner_on_segments: Option<usize>,
     carved: Option<usize>,
     subsegments: Option<usize>,
     components: Option<usize>,
@@ -104,23 +111,32 @@ impl Report {
             hash: certificate.map(|c| c.hash.to_string()),
             proven: certificate.map_or(&[], |c| proven(&c)),
             domain: None,
+            bounds: None,
             defects,
             quality: certificate.and_then(|_| Shapes::of(mesh)),
             seconds: Seconds { read, check },
             peak_rss_bytes: peak_rss_bytes(),
             one_based: mesh.vertices.base == 1,
             is_of_domain: mesh.constraints.is_some(),
+            is_refined: false,
             numbers,
         }
     }
 
-    /// Says that the mesh was checked against a domain.
-    pub fn against(mut self, drawing: &Drawing) -> Self {
+    /// Says that the mesh was checked against a domain, as it is or refined.
+    pub fn against(mut self, drawing: &Drawing, is_refined: bool) -> Self {
+        if self.right && is_refined {
+            self.proven = &DomainNumbers::PROVEN_REFINED;
+        }
+        self.is_refined = is_refined;
+        self.one_based |= drawing.is_one_based;
         let numbers = self.numbers.as_ref();
         self.domain = Some(Domain {
             file: drawing.file.clone(),
             rule: drawing.rule.to_string(),
             added: numbers.map(|n| n.added),
+            steiner: numbers.map(|n| n.on_segments + n.free),
+            steiner_on_segments: numbers.map(|n| n.on_segments),
             carved: numbers.map(|n| n.carved),
             subsegments: numbers.map(|n| n.subsegments),
             components: numbers.map(|n| n.components),
@@ -129,9 +145,14 @@ impl Report {
         self
     }
 
-    /// Tells whether nothing is wrong.
-    pub fn is_right(&self) -> bool {
-        self.right
+    /// Says how the mesh compares with what was asked of it, if anything was.
+    pub fn asked(self, bounds: Option<Shortfall>) -> Self {
+        Self { bounds, ..self }
+    }
+
+    /// Tells whether nothing is wrong, and nothing is missing without an excuse.
+    pub fn is_passed(&self) -> bool {
+        self.right && self.bounds.as_ref().is_none_or(Shortfall::is_met)
     }
 
     /// Writes the JSON object, on one line.
@@ -149,8 +170,11 @@ impl Report {
             )?,
             Some(domain) => writeln!(
                 f,
-                "{}: right. This is the constrained Delaunay triangulation of {} ({}).",
-                self.file, domain.file, domain.rule
+                "{}: right. This is {} constrained Delaunay triangulation of {} ({}).",
+                self.file,
+                if self.is_refined { "a refined" } else { "the" },
+                domain.file,
+                domain.rule
             )?,
         }
         let part = |n: Option<usize>, one, many| counted(n.unwrap_or(0), one, many);
@@ -168,6 +192,10 @@ impl Report {
         }
         if let Some(shapes) = &self.quality {
             writeln!(f, "  {shapes}")?;
+        }
+        if let Some(bounds) = &self.bounds {
+            writeln!(f, "  {bounds}")?;
+            self.write_base(f, bounds.names_any())?;
         }
         writeln!(f, "  hash {}", self.hash.as_deref().unwrap_or("none"))?;
         writeln!(f, "  Proven from the files alone, in exact arithmetic:")?;
@@ -191,9 +219,7 @@ impl Report {
                 counted(more, "other", "others")
             )?,
         }
-        if self.one_based {
-            writeln!(f, "  (Numbers here count from 0; the file counts from 1.)")?;
-        }
+        self.write_base(f, true)?;
         if self.is_of_domain && self.domain.is_none() {
             writeln!(
                 f,
@@ -201,6 +227,14 @@ impl Report {
             )?;
         }
         self.write_effort(f)
+    }
+
+    /// Warns of numbers that are not those of the file.
+    fn write_base(&self, f: &mut fmt::Formatter<'_>, has_numbers: bool) -> fmt::Result {
+        if self.one_based && has_numbers {
+            writeln!(f, "  (Numbers here count from 0; a file counts from 1.)")?;
+        }
+        Ok(())
     }
 
     fn write_effort(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -234,9 +268,10 @@ impl fmt::Display for Domain {
         let part = |n: Option<usize>, one, many| counted(n.unwrap_or(0), one, many);
         write!(
             f,
-            "{}, {}, {}, {}, {}",
+            "{}, {}, {}, {}, {}, {}",
             part(self.subsegments, "subsegment", "subsegments"),
             part(self.added, "vertex added", "vertices added"),
+            part(self.steiner, "Steiner point", "Steiner points"),
             part(self.components, "component", "components"),
             part(self.holes, "hole", "holes"),
             part(self.carved, "point carved away", "points carved away"),
@@ -255,7 +290,7 @@ fn proven(certificate: &Certificate) -> &'static [&'static str] {
 impl Shapes {
     /// Measures a mesh; `None` without triangles.
     fn of(mesh: &MeshData) -> Option<Self> {
-        let quality: Quality = quality(&mesh.vertices.points, &mesh.triangles);
+        let quality: Statistics = check::statistics(&mesh.vertices.points, &mesh.triangles);
         (quality.triangles > 0).then_some(Self {
             min_angle: quality.min_angle,
             mean_min_angle: quality.mean_min_angle,

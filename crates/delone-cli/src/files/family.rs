@@ -12,6 +12,7 @@ enum Part {
     Corners,
     Coordinates,
     Edges,
+    Page,
 }
 
 /// A file that is going to be written.
@@ -38,7 +39,7 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         (Format::Npy, _) => vec![whole(Part::Coordinates)],
         (
             Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly,
-            Content::Mesh,
+            Content::Mesh | Content::QuadraticMesh,
         ) => [
             Format::Node,
             Format::Ele,
@@ -48,6 +49,7 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         ]
         .map(|f| sibling(f.name(), Part::Whole(f)))
         .into(),
+        (_, Content::Report) => vec![whole(Part::Page)],
         _ => vec![whole(Part::Whole(format))],
     }
 }

@@ -3,6 +3,7 @@
 use super::unreadable;
 use crate::exit::Failure;
 use crate::progress::Progress;
+use crate::refinable::Refinable;
 use delone_io::{Column, DomainData, Error, Format, MeshData, PointSet, ReadOptions, Source};
 use std::fs::File;
 use std::io::{self, Read};
@@ -13,6 +14,7 @@ const HEAD: u64 = 4096;
 
 /// Options about inputs.
 #[derive(clap::Args, Default)]
+#[command(next_help_heading = "Files")]
 pub struct Reading {
     /// Columns of x and y in a table: their names, or their places counted from 1
     #[arg(long, value_name = "X,Y", value_parser = columns)]
@@ -168,6 +170,11 @@ impl Input {
         }
     }
 
+    /// Tells whether the input is itself a mesh, and does not just stand beside one.
+    fn is_mesh(&self) -> bool {
+        self.format != Some(Format::Node) && self.brings_triangles()
+    }
+
     /// Tells whether the input may bring segments.
     pub fn brings_segments(&self) -> bool {
         self.format.is_some_and(Format::reads_segments)
@@ -224,6 +231,29 @@ impl Input {
         let domain = domain.map_err(unreadable)?;
         let unused = columns_left_out(&domain.vertices).into_iter().collect();
         Ok((domain, self.named(unused)))
+    }
+
+    /// Reads what can be refined, with its `.area` file if `takes_areas` and there is one, and says in
+    /// words what is left unused.
+    pub fn refinable(
+        &self,
+        takes_areas: bool,
+        progress: &Progress,
+    ) -> Result<(Refinable, Vec<String>), Failure> {
+        if !self.is_mesh() {
+            let (domain, unused) = self.domain(progress)?;
+            return Ok((domain.into(), unused));
+        }
+        let mesh = self.mesh(progress)?;
+        let unused = columns_left_out(&mesh.vertices).into_iter().collect();
+        if mesh.triangles.is_empty() {
+            let points = DomainData::from(mesh.vertices);
+            return Ok((points.into(), self.named(unused)));
+        }
+        let is_bounded = takes_areas && self.format == Some(Format::Ele);
+        let areas = self.beside("area").filter(|_| is_bounded);
+        let refinable = Refinable::of_mesh(mesh, &self.name(), areas, progress)?;
+        Ok((refinable, self.named(unused)))
     }
 
     fn named(&self, unused: Vec<String>) -> Vec<String> {

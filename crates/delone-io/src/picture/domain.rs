@@ -77,17 +77,12 @@ impl Scene<'_> {
 
     /// Returns where segments cross, and the radius of the rings there, if there is room for them.
     pub fn crossings(&self) -> Option<(impl Iterator<Item = [f32; 2]> + '_, f32)> {
-        let count = self.num_crossings();
+        let crossings = self.mesh.constraints.map_or(0..0, |c| c.crossings.clone());
+        let count = crossings.len();
         let spacing = (self.view.area() / count.max(1) as f32).sqrt() / self.unit;
         let radius = (0.07 * spacing).min(4.6);
-        let n = self.mesh.points.len();
-        let vertices = (n - count.min(n)..n).map(VertexId::new);
-        let places = vertices.map(|v| self.place(v));
+        let places = crossings.map(|v| self.place(VertexId::new(v)));
         (count > 0 && radius >= 1.8).then_some((places, radius * self.unit))
-    }
-
-    pub fn num_crossings(&self) -> usize {
-        self.mesh.constraints.map_or(0, |c| c.num_crossings)
     }
 
     /// Counts the constrained edges.

@@ -2,7 +2,7 @@
 //! angle; below it what the segments, crossings and regions of a domain look like.
 
 use super::domain::REGION_COLORS;
-use super::glyphs::{self, Stroke};
+use super::sheet::{Anchor, Sheet};
 use super::{Color, INK, Scene, scale};
 
 /// Bars of the histogram: two degrees each.
@@ -17,105 +17,73 @@ const ENTRY: f32 = 32.0;
 /// Least height of the scale.
 const LEAST_SCALE: f32 = 180.0;
 
-/// What the legend consists of.
-pub(crate) struct Legend {
-    /// Filled rectangles: corner, extent, colour.
-    pub bars: Vec<([f32; 2], [f32; 2], Color)>,
-    /// The ring that stands for a crossing: centre and radius.
-    pub ring: Option<([f32; 2], f32)>,
-    /// Letters and ticks.
-    pub strokes: Vec<Stroke>,
-    /// Width of the strokes.
-    pub stroke_width: f32,
-    /// Size of a detail.
-    unit: f32,
+/// Lays the legend out beside the drawing.
+pub(crate) fn legend(scene: &Scene<'_>) -> Sheet {
+    let unit = scene.unit;
+    let entries = entries(scene);
+    let [corner, extent] = scene.view.drawing;
+    let below = match entries.len() {
+        0 => 0.0,
+        n => (n as f32 + 1.0) * ENTRY * unit,
+    };
+    let least = LEAST_SCALE * unit;
+    let height = (extent[1] - below)
+        .max(least.min(extent[1]))
+        .min(560.0 * unit);
+    let top = corner[1] + ((extent[1] - height - below) / 2.0).max(0.0);
+    let mut sheet = Sheet::default();
+    let right = corner[0] + extent[0];
+    add_scale(&mut sheet, scene, [right + 88.0 * unit, top], height);
+    for (i, entry) in entries.iter().enumerate() {
+        let y = top + height + (i as f32 + 1.5) * ENTRY * unit;
+        add_entry(&mut sheet, unit, entry, [right + 30.0 * unit, y]);
+    }
+    sheet
 }
 
-impl Legend {
-    /// Lays the legend out beside the drawing.
-    pub fn new(scene: &Scene<'_>) -> Self {
-        let unit = scene.unit;
-        let entries = entries(scene);
-        let [corner, extent] = scene.view.drawing;
-        let below = match entries.len() {
-            0 => 0.0,
-            n => (n as f32 + 1.0) * ENTRY * unit,
-        };
-        let least = LEAST_SCALE * unit;
-        let height = (extent[1] - below)
-            .max(least.min(extent[1]))
-            .min(560.0 * unit);
-        let top = corner[1] + ((extent[1] - height - below) / 2.0).max(0.0);
-        let mut legend = Self {
-            bars: Vec::new(),
-            ring: None,
-            strokes: Vec::new(),
-            stroke_width: 1.6 * unit,
-            unit,
-        };
-        let right = corner[0] + extent[0];
-        legend.add_scale(scene, [right + 88.0 * unit, top], height);
-        for (i, entry) in entries.iter().enumerate() {
-            let y = top + height + (i as f32 + 1.5) * ENTRY * unit;
-            legend.add_entry(entry, [right + 30.0 * unit, y]);
-        }
-        legend
+/// Adds the scale of angles and the histogram.
+fn add_scale(sheet: &mut Sheet, scene: &Scene<'_>, [left, top]: [f32; 2], height: f32) {
+    let unit = scene.unit;
+    let at = |share: f32| top + height * (1.0 - share);
+    let step = height / BARS as f32;
+    for (i, share) in scene.histogram::<BARS>().into_iter().enumerate().rev() {
+        let color = scale((i as f32 + 0.5) / BARS as f32);
+        let y = at((i + 1) as f32 / BARS as f32);
+        // Down to the foot, so that the next colour covers it and no seam can show.
+        sheet.bar([left, y], [16.0 * unit, at(0.0) - y], color);
+        let histogram = [left + 22.0 * unit, y];
+        sheet.bar(histogram, [64.0 * unit * share, step * 0.84], color);
     }
+    for degrees in (0..=60).step_by(10) {
+        let y = at(degrees as f32 / 60.0);
+        let tick = [[left - 8.0 * unit, y], [left - 2.0 * unit, y]];
+        sheet.line(tick, 1.6 * unit, INK, 1.0);
+        let text = format!("{degrees}°");
+        let end = [left - 12.0 * unit, y + 3.5 * TEXT * unit];
+        sheet.text(&text, end, TEXT * unit, Anchor::End, INK);
+    }
+    let title = title_baselines(top, unit);
+    for (text, y) in ["smallest", "angle"].into_iter().zip(title) {
+        sheet.text(text, [left, y], TEXT * unit, Anchor::Start, INK);
+    }
+}
 
-    /// Adds the scale of angles and the histogram.
-    fn add_scale(&mut self, scene: &Scene<'_>, [left, top]: [f32; 2], height: f32) {
-        let unit = self.unit;
-        let at = |share: f32| top + height * (1.0 - share);
-        let step = height / BARS as f32;
-        for (i, share) in scene.histogram::<BARS>().into_iter().enumerate().rev() {
-            let color = scale((i as f32 + 0.5) / BARS as f32);
-            let y = at((i + 1) as f32 / BARS as f32);
-            // Down to the foot, so that the next colour covers it and no seam can show.
-            let bar = [16.0 * unit, at(0.0) - y];
-            self.bars.push(([left, y], bar, color));
-            let histogram = [left + 22.0 * unit, y];
-            let bar = [64.0 * unit * share, step * 0.84];
-            self.bars.push((histogram, bar, color));
-        }
-        for degrees in (0..=60).step_by(10) {
-            let y = at(degrees as f32 / 60.0);
-            self.strokes.push(Stroke::Move([left - 8.0 * unit, y]));
-            self.strokes.push(Stroke::Line([left - 2.0 * unit, y]));
-            let text = format!("{degrees}°");
-            let start = left - 12.0 * unit - glyphs::width(&text, TEXT * unit);
-            self.add_text(&text, [start, y + 3.5 * TEXT * unit]);
-        }
-        let title = title_baselines(top, unit);
-        for (text, y) in ["smallest", "angle"].into_iter().zip(title) {
-            self.add_text(text, [left, y]);
-        }
+/// Adds a sample and what it means; `y` is the middle of the line.
+fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f32; 2]) {
+    let width = 30.0 * unit;
+    let mut bar = |height: f32, color| sheet.bar([x, y - height / 2.0], [width, height], color);
+    match entry.sample {
+        Sample::Line(height) => bar(height, INK),
+        Sample::Area(color) => bar(16.0 * unit, color),
+        Sample::Ring(radius) => sheet.ring([x + width / 2.0, y], radius),
+        Sample::Nothing => {}
     }
-
-    /// Adds a sample and what it means; `y` is the middle of the line.
-    fn add_entry(&mut self, entry: &Entry, [x, y]: [f32; 2]) {
-        let unit = self.unit;
-        let width = 30.0 * unit;
-        let mut bar = |height: f32, color| {
-            let corner = [x, y - height / 2.0];
-            self.bars.push((corner, [width, height], color));
-        };
-        match entry.sample {
-            Sample::Line(height) => bar(height, INK),
-            Sample::Area(color) => bar(16.0 * unit, color),
-            Sample::Ring(radius) => self.ring = Some(([x + width / 2.0, y], radius)),
-            Sample::Nothing => {}
-        }
-        let indent = match entry.sample {
-            Sample::Nothing => 0.0,
-            _ => 42.0 * unit,
-        };
-        self.add_text(&entry.text, [x + indent, y + 3.0 * TEXT * unit]);
-    }
-
-    fn add_text(&mut self, text: &str, start: [f32; 2]) {
-        let strokes = glyphs::strokes(text, start, TEXT * self.unit);
-        self.strokes.extend(strokes);
-    }
+    let indent = match entry.sample {
+        Sample::Nothing => 0.0,
+        _ => 42.0 * unit,
+    };
+    let start = [x + indent, y + 3.0 * TEXT * unit];
+    sheet.text(&entry.text, start, TEXT * unit, Anchor::Start, INK);
 }
 
 /// Size of letters: digits are seven times as high.

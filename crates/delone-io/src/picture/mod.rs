@@ -11,6 +11,7 @@ mod color;
 pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
+pub(crate) mod sheet;
 mod view;
 
 pub(crate) use color::{Color, INK, PAPER, scale};
@@ -140,6 +141,12 @@ impl<'a> Scene<'a> {
     /// Tells whether there are points and nothing else.
     pub fn is_bare(&self) -> bool {
         self.num_triangles() == 0 && self.num_segments() == 0
+    }
+
+    /// Counts what would be drawn one by one.
+    pub fn num_shapes(&self) -> usize {
+        let points = self.mesh.points.len();
+        self.num_triangles().max(points).max(self.num_segments())
     }
 
     pub fn num_triangles(&self) -> usize {

@@ -1,8 +1,8 @@
 //! The arrays of a grid, put together to a mesh.
 
 use super::array::ArrayHead;
-use super::{LINE, Stop, TRIANGLE, other, poll};
-use crate::{Attribute, Constraints, MeshData, PointSet, Problem, node};
+use super::{LINE, QUADRATIC_LINE, QUADRATIC_TRIANGLE, Stop, TRIANGLE, other, poll};
+use crate::{Attribute, Constraints, MeshData, PointSet, Problem, node, six_nodes};
 use delone::{Point, VertexId, Watch};
 
 /// The arrays of a file as they come.
@@ -62,13 +62,16 @@ impl Grid {
         let mut attributes = self.point_data;
         attributes.splice(0..0, heights(&self.points, &attributes));
         let (triangle_attributes, markers) = part(self.cell_data, &cells);
+        let mut vertices = PointSet {
+            points: plane(&self.points, watch)?,
+            attributes,
+            markers: self.markers,
+            ..PointSet::default()
+        };
+        six_nodes::drop_midpoints(&mut vertices, &cells.triangles, &cells.middles)?;
         Ok(MeshData {
-            vertices: PointSet {
-                points: plane(&self.points, watch)?,
-                attributes,
-                markers: self.markers,
-                ..PointSet::default()
-            },
+            vertices,
+            quadratic: !cells.triangles.is_empty() && cells.num_quadratic == cells.triangles.len(),
             triangles: cells.triangles,
             triangle_attributes,
             constraints: (!cells.lines.is_empty()).then(|| Constraints {
@@ -105,7 +108,7 @@ impl Grid {
                 return Err(other(text).into());
             };
             rest = others;
-            cells.push(cell, corners, num_vertices)?;
+            cells.push((cell, kind), corners, num_vertices)?;
         }
         if !rest.is_empty() {
             let found = self.connectivity.len();
@@ -120,24 +123,40 @@ impl Grid {
 struct Cells {
     triangles: Vec<[VertexId; 3]>,
     lines: Vec<[VertexId; 2]>,
+    /// The midpoints of triangles and lines that have them, and how many triangles do.
+    middles: Vec<VertexId>,
+    num_quadratic: usize,
     /// Whether each cell is a line; empty if none is.
     is_line: Vec<bool>,
 }
 
 impl Cells {
-    fn push(&mut self, cell: usize, corners: &[f64], num_vertices: usize) -> Result<(), Problem> {
-        match *corners {
-            [a, b] => {
+    fn push(
+        &mut self,
+        (cell, kind): (usize, f64),
+        nodes: &[f64],
+        num_vertices: usize,
+    ) -> Result<(), Problem> {
+        let is_line = [LINE, QUADRATIC_LINE].map(f64::from).contains(&kind);
+        let middles = match *nodes {
+            [a, b, ref middles @ ..] if is_line => {
                 self.is_line.resize(cell, false);
                 self.is_line.push(true);
                 self.lines
                     .push(vertices(("line", cell), [a, b], num_vertices)?);
+                middles
             }
-            [a, b, c] => {
+            [a, b, c, ref middles @ ..] => {
                 let corners = vertices(("triangle", cell), [a, b, c], num_vertices)?;
                 self.triangles.push(corners);
+                self.num_quadratic += usize::from(!middles.is_empty());
+                middles
             }
             _ => unreachable!("bug: a cell of another size"),
+        };
+        for &middle in middles {
+            let [middle] = vertices(("cell", cell), [middle], num_vertices)?;
+            self.middles.push(middle);
         }
         Ok(())
     }
@@ -151,13 +170,16 @@ impl Cells {
     }
 }
 
-/// Returns the number of corners of a cell.
+/// Returns the number of nodes of a cell.
 fn size_of_cell(cell: usize, kind: f64) -> Result<usize, Problem> {
     match kind {
         _ if kind == f64::from(TRIANGLE) => Ok(3),
         _ if kind == f64::from(LINE) => Ok(2),
+        _ if kind == f64::from(QUADRATIC_TRIANGLE) => Ok(6),
+        _ if kind == f64::from(QUADRATIC_LINE) => Ok(3),
         _ => Err(other(format!(
-            "cell {cell} has VTK type {kind}: only triangles (5) and lines (3) are understood"
+            "cell {cell} has VTK type {kind}: only triangles (5, quadratic 22) and lines (3, \
+             quadratic 21) are understood"
         ))),
     }
 }

@@ -1,6 +1,6 @@
 //! Writing: one element for each array, numbers in base64 behind their count of bytes.
 
-use super::{LINE, TRIANGLE};
+use super::{LINE, QUADRATIC_LINE, QUADRATIC_TRIANGLE, TRIANGLE};
 use crate::target::Output;
 use crate::{Attribute, Error, MeshView};
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -33,7 +33,7 @@ pub(crate) fn write(
         coordinates.map(f64::to_le_bytes),
     )?;
     out.text(format_args!("</Points>\n"))?;
-    write_cells(out, mesh.triangles, edges)?;
+    write_cells(out, mesh, edges)?;
     out.text(format_args!("<PointData>\n"))?;
     attributes(out, mesh.attributes, 0)?;
     integers(
@@ -52,21 +52,68 @@ pub(crate) fn write(
 /// Writes triangles, and after them edges.
 fn write_cells(
     out: &mut Output<'_>,
-    triangles: &[[VertexId; 3]],
+    mesh: &MeshView<'_>,
     edges: &[[VertexId; 2]],
 ) -> Result<(), Error> {
-    let (m, k) = (triangles.len(), edges.len());
+    let (m, k) = (mesh.triangles.len(), edges.len());
+    let cells = || {
+        let of_triangles = (0..m).map(|t| triangle(mesh, t));
+        of_triangles.chain((0..k).map(|e| line(mesh, edges[e], e)))
+    };
     out.text(format_args!("<Cells>\n"))?;
-    let corners = triangles.as_flattened().iter().chain(edges.as_flattened());
-    let corners = corners.map(|v| i64::from(v.raw()).to_le_bytes());
-    array(out, "Int64", "connectivity", 1, 3 * m + 2 * k, corners)?;
-    let of_triangles = (1..=m).map(|t| 3 * t);
-    let ends = of_triangles.chain((1..=k).map(|e| 3 * m + 2 * e));
-    let ends = ends.map(|end| (end as i64).to_le_bytes());
+    let nodes = cells().map(|cell| cell.len).sum();
+    let of_cells = cells().flat_map(|cell| cell.nodes.into_iter().take(cell.len));
+    let of_cells = of_cells.map(|v| i64::from(v.raw()).to_le_bytes());
+    array(out, "Int64", "connectivity", 1, nodes, of_cells)?;
+    let ends = cells().scan(0, |end, cell| {
+        *end += cell.len as i64;
+        Some(end.to_le_bytes())
+    });
     array(out, "Int64", "offsets", 1, m + k, ends)?;
-    let types = std::iter::repeat_n([TRIANGLE], m).chain(std::iter::repeat_n([LINE], k));
+    let types = cells().map(|cell| [cell.kind]);
     array(out, "UInt8", "types", 1, m + k, types)?;
     out.text(format_args!("</Cells>\n"))
+}
+
+/// A cell: its type, and the first `len` of `nodes`.
+struct Cell {
+    kind: u8,
+    len: usize,
+    nodes: [VertexId; 6],
+}
+
+/// Makes the cell of a triangle. Midpoints are those opposite its corners, but VTK begins with the one
+/// between the first two.
+fn triangle(mesh: &MeshView<'_>, t: usize) -> Cell {
+    let [a, b, c] = mesh.triangles[t];
+    match mesh.middles.map(|middles| middles.of_triangles[t]) {
+        Some([bc, ca, ab]) => Cell {
+            kind: QUADRATIC_TRIANGLE,
+            len: 6,
+            nodes: [a, b, c, ab, bc, ca],
+        },
+        None => Cell {
+            kind: TRIANGLE,
+            len: 3,
+            nodes: [a, b, c, a, a, a],
+        },
+    }
+}
+
+/// Makes the cell of a constrained edge; one without triangle has no midpoint.
+fn line(mesh: &MeshView<'_>, [a, b]: [VertexId; 2], e: usize) -> Cell {
+    match mesh.middles.and_then(|middles| middles.of_constrained[e]) {
+        Some(middle) => Cell {
+            kind: QUADRATIC_LINE,
+            len: 3,
+            nodes: [a, b, middle, a, a, a],
+        },
+        None => Cell {
+            kind: LINE,
+            len: 2,
+            nodes: [a, b, a, a, a, a],
+        },
+    }
 }
 
 /// Writes the regions of triangles, −1 where there is none, and the markers of edges.

@@ -1,7 +1,7 @@
 //! Which files the targets of a mesh mean.
 
 use crate::points::unsupported;
-use crate::{Error, Format, MeshView, Target, poly};
+use crate::{Error, Format, MeshView, Target, WriteOptions, poly};
 use std::path::PathBuf;
 
 /// One file to be written, and what goes into it.
@@ -56,8 +56,10 @@ impl Content {
     pub fn needs_topology(self, mesh: &MeshView<'_>) -> bool {
         match self {
             Self::Node | Self::Edge | Self::Neigh | Self::Poly | Self::WholePoly => true,
-            Self::NpySegments | Self::GeoJson | Self::Vtu => mesh.constraints.is_some(),
-            Self::Ele | Self::NpyTriangles | Self::NpyPoints | Self::Svg | Self::Png => false,
+            Self::Vtu => mesh.is_quadratic || mesh.constraints.is_some(),
+            Self::Ele => mesh.is_quadratic,
+            Self::NpySegments | Self::GeoJson => mesh.constraints.is_some(),
+            Self::NpyTriangles | Self::NpyPoints | Self::Svg | Self::Png => false,
         }
     }
 }
@@ -73,10 +75,21 @@ const FAMILY: [(&str, Content); 5] = [
 ];
 
 /// Lists the files that the targets mean, each once.
-pub(super) fn of_mesh(targets: &[Target], mesh: &MeshView<'_>) -> Result<Vec<OutFile>, Error> {
+pub(super) fn of_mesh(
+    targets: &[Target],
+    mesh: &MeshView<'_>,
+    options: &WriteOptions,
+) -> Result<Vec<OutFile>, Error> {
     let mut files = Vec::new();
     for target in targets {
-        for file in of_target(target, mesh.constraints.is_some())? {
+        let format = target.format()?;
+        if mesh.is_quadratic && !format.writes_quadratic_mesh() {
+            let action = "hold triangles of six nodes";
+            return Err(unsupported(target, format, action, |f| {
+                matches!(f, Format::Node | Format::Ele | Format::Vtu)
+            }));
+        }
+        for file in of_target(target, mesh.constraints.is_some(), options.one_by_one)? {
             if !files.contains(&file) {
                 files.push(file);
             }
@@ -86,10 +99,17 @@ pub(super) fn of_mesh(targets: &[Target], mesh: &MeshView<'_>) -> Result<Vec<Out
 }
 
 /// Lists the files that one target means.
-fn of_target(target: &Target, is_constrained: bool) -> Result<Vec<OutFile>, Error> {
+fn of_target(
+    target: &Target,
+    is_constrained: bool,
+    one_by_one: bool,
+) -> Result<Vec<OutFile>, Error> {
     let format = target.format()?;
     let contents = match (&target.path, format) {
-        (Some(path), Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly) => {
+        (Some(_), Format::Poly) if one_by_one => vec![("", Content::Poly)],
+        (Some(path), Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly)
+            if !one_by_one =>
+        {
             // What was constrained in a mesh of this name must not seem to be so in the new one.
             let has_graph = is_constrained || poly::is_graph(&path.with_extension("poly"));
             FAMILY[..if has_graph { 5 } else { 4 }].to_vec()
@@ -137,6 +157,6 @@ fn alone(format: Format, is_constrained: bool) -> Option<Content> {
         Format::Vtu => Some(Content::Vtu),
         Format::Svg => Some(Content::Svg),
         Format::Png => Some(Content::Png),
-        Format::Table | Format::Wkt => None,
+        Format::Table | Format::Wkt | Format::Html => None,
     }
 }

@@ -67,6 +67,10 @@ impl Certificate {
 pub struct DomainNumbers {
     /// Vertices added where segments cross.
     pub added: usize,
+    /// Steiner points on segments; 0 unless the mesh is said to be refined.
+    pub on_segments: usize,
+    /// Steiner points on no segment; likewise.
+    pub free: usize,
     /// Distinct points that lie outside the domain, so that no triangle has them.
     pub carved: usize,
     /// Constrained edges, those outside the domain included.
@@ -88,6 +92,14 @@ impl DomainNumbers {
         "every point in the domain is a corner or equal to exactly one that is",
         "every other edge is locally Delaunay under the symbolic perturbation",
     ];
+
+    /// What has been proven of a refined mesh: the same, but that it may have Steiner points.
+    pub const PROVEN_REFINED: [&'static str; 7] = {
+        let mut proven = Self::PROVEN;
+        proven[2] = "every other vertex lies where segments cross, or is a Steiner point that triangles have, on a \
+                     segment as near as rounding allows or on none";
+        proven
+    };
 }
 
 impl Certificate {
@@ -106,7 +118,11 @@ impl fmt::Display for DomainNumbers {
             f,
             "{} subsegments, {} added vertices, {} components, {} holes, {} points outside",
             self.subsegments, self.added, self.components, self.holes, self.carved,
-        )
+        )?;
+        match [self.on_segments, self.free] {
+            [0, 0] => Ok(()),
+            [on, free] => write!(f, ", {on} Steiner points on segments and {free} elsewhere"),
+        }
     }
 }
 

@@ -262,6 +262,12 @@ pub enum Defect {
         /// The vertex.
         corner: Corner,
     },
+    /// A Steiner point is in no triangle.
+    #[error("vertex {corner} was added, but no triangle has it")]
+    UnusedVertex {
+        /// The vertex.
+        corner: Corner,
+    },
     /// An edge has one triangle but bounds nothing.
     #[error("edge {} of triangle {} has no other triangle, but does not bound the domain",
         list(.edge), .triangle.raw())]

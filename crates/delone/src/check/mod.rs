@@ -2,7 +2,7 @@
 //!
 //! [`verify`] needs what a file holds, points and corners, and trusts nothing else: it finds the
 //! neighbours itself and shares the predicates, and only them, with the builders. All signs are
-//! exact. [`quality`] measures shapes in rounded numbers, for reports and pictures.
+//! exact. [`statistics`](statistics()) measures shapes in rounded numbers, for reports and pictures.
 //!
 //! # What is tested
 //! 1. Every corner names a point, and the three corners of a triangle differ.
@@ -30,22 +30,31 @@
 //! *Cost*: linear, without sorting by coordinates; memory about 40 bytes a triangle. Once something
 //! is wrong, further linear passes look for what a reader would name as the reason.
 //!
-//! [`verify_domain`] does the same for constrained triangulations of domains. Neighbour tables read from
-//! a file are not checked.
+//! [`verify_domain`] does the same for constrained triangulations of domains, refined or not, and
+//! [`verify_quality`] finds the triangles that break bounds, and whether something excuses them. Neighbour
+//! tables read from a file are not checked.
 
 mod adjacency;
 mod boundary;
 mod certificate;
 mod defect;
 mod domain;
+mod histogram;
+mod once;
 mod positions;
-mod quality;
+mod shape;
 mod stars;
+mod statistics;
 
 pub use certificate::{Certificate, DomainNumbers, Verdict};
 pub use defect::{Corner, Defect, Defects};
-pub use domain::{DomainMesh, verify_domain};
-pub use quality::{Quality, Shape, quality};
+pub use domain::{
+    Asked, Counts, DomainMesh, Encroached, Excuse, QualityVerdict, Unmet, verify_domain,
+    verify_quality,
+};
+pub use histogram::LogHistogram;
+pub use shape::Shape;
+pub use statistics::{Statistics, statistics};
 
 use crate::pace::Pace;
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};

@@ -1,25 +1,95 @@
 //! From the input to the result in one go: triangulate the points, insert the segments, node them
 //! first if they cross, carve, hand out.
 
-use super::carve::carve;
+use super::carve::{Carving, carve};
 use super::draft::Draft;
 use super::export::hand_out;
 use super::insert::{Outcome, insert_all};
 use super::names::Names;
+use super::result::Lineage;
 use super::segments::Segments;
-use super::{ConstrainedTriangulation, Options};
+use super::{ConstrainedTriangulation, Options, Warning};
 use crate::delaunay::{Curve, check_number};
 use crate::parallel::Workers;
 use crate::pslg::{self, Chains, Noding, input};
 use crate::{DomainRule, Error, Mesh, Point, Pslg, SegmentPolicy, VertexId, Watch};
 
-/// Triangulates a domain.
-pub(super) fn build(
+/// A domain that is triangulated and carved, in the numbering of the curve: the result but for its
+/// handing out.
+pub(crate) struct Prepared {
+    /// Where the vertices of the faces lie.
+    pub points: Vec<Point>,
+    pub faces: Faces,
+    pub context: Context,
+}
+
+/// Faces, in any order, and what is known of them.
+pub(crate) struct Faces {
+    pub mesh: Mesh,
+    /// Bit k of each says whether half-edge k is constrained; higher bits mean nothing.
+    pub constrained: Vec<u8>,
+    /// Whether a face lies outside the domain; ghosts do.
+    pub outside: Vec<bool>,
+    /// For each face one more than its region, or 0; empty if there are no regions.
+    pub region_of: Vec<u32>,
+}
+
+/// The input, and what leads back to it.
+pub(crate) struct Context {
+    pub pslg: Pslg,
+    pub names: Names,
+    pub lineage: Lineage,
+    pub warnings: Vec<Warning>,
+}
+
+impl Prepared {
+    pub(super) fn new(
+        draft: Draft,
+        carving: Carving,
+        pslg: Pslg,
+        names: Names,
+        lineage: Lineage,
+    ) -> Self {
+        let Draft {
+            points,
+            mesh,
+            marks,
+            ..
+        } = draft;
+        Self {
+            points,
+            faces: Faces {
+                mesh,
+                constrained: marks.into_bytes(),
+                outside: carving.outside,
+                region_of: carving.region_of,
+            },
+            context: Context {
+                pslg,
+                names,
+                lineage,
+                warnings: carving.warnings,
+            },
+        }
+    }
+
+    /// Puts the result together, in the caller's numbering.
+    pub fn hand_out(
+        self,
+        workers: Workers,
+        watch: &dyn Watch,
+    ) -> Result<ConstrainedTriangulation, Error> {
+        hand_out(self.faces, self.context, workers, watch)
+    }
+}
+
+/// Triangulates and carves a domain.
+pub(crate) fn prepare(
     mut pslg: Pslg,
     options: Options,
     workers: Workers,
     watch: &dyn Watch,
-) -> Result<ConstrainedTriangulation, Error> {
+) -> Result<Prepared, Error> {
     input::check(&pslg)?;
     let (mut draft, mut names) = start(&pslg.points, workers, watch)?;
     if options.domain == DomainRule::EvenOdd {
@@ -35,14 +105,10 @@ pub(super) fn build(
             let noding = node(&pslg, &names, options.crossings, workers, watch)?;
             pslg.points.extend(noding.points);
             (draft, names) = start(&pslg.points, workers, watch)?;
-            insert_noded(
-                &mut draft,
-                &names,
-                &pslg.segments,
-                &noding.chains,
-                workers,
-                watch,
-            )?;
+            let chains = &noding.chains;
+            let is_planar =
+                insert_noded(&mut draft, &names, &pslg.segments, chains, workers, watch)?;
+            assert!(is_planar, "bug: noded segments meet inside of one");
             (noding.chains, noding.crossings)
         }
     };
@@ -54,12 +120,21 @@ pub(super) fn build(
     };
     let seeds = (&pslg.holes[..], &pslg.regions[..]);
     let carving = carve(&draft, options.domain, &segments, seeds, watch)?;
-    let lineage = (chains, crossings);
-    hand_out(pslg, draft, names, carving, lineage, workers, watch)
+    let lineage = Lineage {
+        num_segments: pslg.segments.len(),
+        chains,
+        crossings,
+        steiner: Vec::new(),
+    };
+    Ok(Prepared::new(draft, carving, pslg, names, lineage))
 }
 
 /// Triangulates the points, with nothing constrained yet.
-fn start(points: &[Point], workers: Workers, watch: &dyn Watch) -> Result<(Draft, Names), Error> {
+pub(super) fn start(
+    points: &[Point],
+    workers: Workers,
+    watch: &dyn Watch,
+) -> Result<(Draft, Names), Error> {
     check_number(points.len())?;
     if points.is_empty() {
         return Ok((Draft::new(Vec::new(), Mesh::default()), Names::default()));
@@ -123,15 +198,15 @@ fn in_terms_of_all(
     }
 }
 
-/// Inserts segments that meet only at shared ends.
-fn insert_noded(
+/// Inserts segments that meet only at shared ends; false if they do not.
+pub(super) fn insert_noded(
     draft: &mut Draft,
     names: &Names,
     segments: &[[VertexId; 2]],
     chains: &Chains,
     workers: Workers,
     watch: &dyn Watch,
-) -> Result<(), Error> {
+) -> Result<bool, Error> {
     let chain = |(i, ends)| chains.get(i).unwrap_or(ends);
     let all = segments.iter().enumerate().map(|(i, ends)| (i, &ends[..]));
     let edges = all
@@ -139,10 +214,8 @@ fn insert_noded(
         .map(|pair| [pair[0], pair[1]]);
     let edges = names.edges(edges, workers, watch).ok_or(Error::Cancelled)?;
     match insert_all(draft, &edges, workers, watch) {
-        Outcome::Done(cuts) if cuts.is_empty() => Ok(()),
         Outcome::Cancelled => Err(Error::Cancelled),
-        Outcome::Done(_) | Outcome::Blocked => {
-            unreachable!("bug: noded segments meet inside of one")
-        }
+        Outcome::Done(cuts) => Ok(cuts.is_empty()),
+        Outcome::Blocked => Ok(false),
     }
 }

@@ -2,36 +2,42 @@
 //! caller's numbering.
 
 use super::ConstrainedTriangulation;
-use super::carve::Carving;
-use super::draft::Draft;
-use super::names::Names;
+use super::build::{Context, Faces};
 use crate::delaunay::rename;
 use crate::parallel::Workers;
-use crate::pslg::Chains;
-use crate::{Error, Mesh, Phase, Pslg, TriangleId, Triangulation, VertexId, Watch};
+use crate::{Error, Mesh, Phase, TriangleId, Triangulation, VertexId, Watch};
 
-/// Puts the result together. The lineage is the chains of segments and the pair of segments for each
-/// point added at a crossing.
+/// Puts the result together.
 pub(super) fn hand_out(
-    pslg: Pslg,
-    draft: Draft,
-    names: Names,
-    carving: Carving,
-    (chains, crossings): (Chains, Vec<[u32; 2]>),
+    faces: Faces,
+    context: Context,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Result<ConstrainedTriangulation, Error> {
+    let Context {
+        pslg,
+        names,
+        lineage,
+        warnings,
+    } = context;
     watch.progress(Phase::Export, 0, 1);
-    let Draft {
-        mut mesh, marks, ..
-    } = draft;
-    let mut constrained = marks.into_bytes();
-    let mut region_of = carving.region_of;
-    let ghosts = mesh.ghosts().count();
-    let num_finite = mesh.num_faces() - ghosts;
-    let num_triangles = carving.outside.iter().filter(|&&o| !o).count();
-    if num_triangles < num_finite {
-        let order = domain_first(&carving.outside, num_finite);
+    let Faces {
+        mut mesh,
+        mut constrained,
+        outside,
+        mut region_of,
+    } = faces;
+    let num_finite = mesh.num_faces() - mesh.ghosts().count();
+    let num_triangles = outside.iter().filter(|&&o| !o).count();
+    let class = |t: usize| match outside[t] {
+        false => 0,
+        true if !mesh.is_ghost(TriangleId::new(t)) => 1,
+        true => 2,
+    };
+    if !(0..outside.len()).is_sorted_by_key(class) {
+        let mut order: Vec<usize> = (0..outside.len()).collect();
+        order.sort_by_key(|&t| class(t));
+        let order: Vec<_> = order.into_iter().map(TriangleId::new).collect();
         mesh.reorder_faces(&order);
         constrained = permute(&constrained, &order);
         region_of = permute(&region_of, &order);
@@ -55,20 +61,10 @@ pub(super) fn hand_out(
         region_of,
         regions: pslg.regions,
         segments: pslg.segments,
-        chains,
-        crossings,
-        warnings: carving.warnings,
+        lineage,
+        warnings,
         along: Default::default(),
     })
-}
-
-/// Orders the faces: those of the domain, those carved away, the ghosts, which come last already.
-fn domain_first(outside: &[bool], num_finite: usize) -> Vec<TriangleId> {
-    let finite = (0..num_finite).map(TriangleId::new);
-    let (carved, mut order): (Vec<_>, Vec<_>) = finite.partition(|t| outside[t.index()]);
-    order.extend(carved);
-    order.extend((num_finite..outside.len()).map(TriangleId::new));
-    order
 }
 
 /// Collects what belongs to each face in a new order; nothing stays nothing.

@@ -21,7 +21,7 @@ pub(super) enum Outcome {
 
 /// Segments between two vertices of the draft, all together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Edge {
+pub(crate) struct Edge {
     /// The vertices, the lower number first.
     pub ends: [VertexId; 2],
     /// Whether their number is odd.
@@ -30,7 +30,7 @@ pub(super) struct Edge {
 
 /// A segment that runs through vertices.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Cut {
+pub(crate) struct Cut {
     /// Its ends, the lower number first.
     pub ends: [VertexId; 2],
     /// The vertices inside it, from the first end to the second.

@@ -20,9 +20,12 @@ mod bulk;
 mod carve;
 mod corridor;
 mod draft;
+mod enrich;
 mod export;
+mod extend;
 mod holes;
 mod insert;
+mod lengthen;
 mod names;
 mod polygons;
 mod result;
@@ -30,6 +33,10 @@ mod seeds;
 mod segments;
 mod side;
 
+pub(crate) use build::{Context, Faces, Prepared, prepare};
+pub(crate) use enrich::{Additions, enrich};
+pub(crate) use extend::{Steiner, extend};
+pub(crate) use lengthen::{Cuts, NO_SEGMENT};
 pub use result::{ConstrainedTriangulation, Origin, Warning};
 
 use crate::{DomainRule, Error, Pslg, SegmentPolicy, Watch, parallel};
@@ -44,9 +51,9 @@ pub struct ConstrainedDelaunay<'w> {
 
 /// What decides about the result.
 #[derive(Clone, Copy, Default)]
-struct Options {
-    crossings: SegmentPolicy,
-    domain: DomainRule,
+pub(crate) struct Options {
+    pub crossings: SegmentPolicy,
+    pub domain: DomainRule,
 }
 
 impl Default for ConstrainedDelaunay<'_> {
@@ -114,7 +121,7 @@ impl<'w> ConstrainedDelaunay<'w> {
             watch,
         } = self;
         parallel::with_workers(threads, |workers| {
-            build::build(pslg, options, workers, watch)
+            prepare(pslg, options, workers, watch)?.hand_out(workers, watch)
         })?
     }
 }

@@ -9,7 +9,7 @@ use crate::{Duplicate, VertexId, Watch};
 
 /// Who is who.
 #[derive(Default)]
-pub(super) struct Names {
+pub(crate) struct Names {
     /// For each vertex of the draft the caller's number.
     pub callers: Vec<VertexId>,
     /// For each point of the caller its vertex in the draft; that of a merged point is the vertex

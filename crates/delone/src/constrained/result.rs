@@ -1,5 +1,6 @@
 //! The result: a triangulation, what is constrained in it, and where everything comes from.
 
+use super::lengthen::NO_SEGMENT;
 use super::segments::undirected;
 use crate::pslg::Chains;
 use crate::{HalfEdgeId, Point, Region, TriangleId, Triangulation, VertexId};
@@ -13,6 +14,10 @@ pub enum Origin {
     Input(VertexId),
     /// Where these two input segments cross (the lexicographically first pair of indices, if more do).
     Crossing([usize; 2]),
+    /// A Steiner point on this segment (the first one, if several run there).
+    OnSegment(usize),
+    /// A Steiner point on no segment.
+    Free,
 }
 
 /// What is worth a word, though the result is right.
@@ -51,11 +56,24 @@ pub enum Warning {
     },
 }
 
+/// Where segments and added vertices come from.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lineage {
+    /// How many of the segments are the input's; behind them come edges of the convex hull that
+    /// refinement made segments of.
+    pub num_segments: usize,
+    pub chains: Chains,
+    /// For each vertex added at a crossing the segments that cross there.
+    pub crossings: Vec<[u32; 2]>,
+    /// For each vertex added behind those its segment, or [`NO_SEGMENT`].
+    pub steiner: Vec<u32>,
+}
+
 /// A constrained Delaunay triangulation: triangles, constrained edges, regions, and the lineage of
 /// vertices and segments.
 ///
 /// Vertices `0..n` are the n points of the input, those after them are the crossings of segments,
-/// sorted by x, then y. In the [mesh](Triangulation::mesh) come first the triangles of the domain,
+/// sorted by x, then y, and then come those that refinement has added. In the [mesh](Triangulation::mesh) come first the triangles of the domain,
 /// then those that were carved away, then the ghosts.
 #[derive(Clone, Debug)]
 pub struct ConstrainedTriangulation {
@@ -66,9 +84,7 @@ pub struct ConstrainedTriangulation {
     pub(super) region_of: Vec<u32>,
     pub(super) regions: Vec<Region>,
     pub(super) segments: Vec<[VertexId; 2]>,
-    pub(super) chains: Chains,
-    /// For each vertex added at a crossing the segments that cross there.
-    pub(super) crossings: Vec<[u32; 2]>,
+    pub(super) lineage: Lineage,
     pub(super) warnings: Vec<Warning>,
     /// The edges along segments with those segments, sorted; made when first asked for.
     pub(super) along: OnceLock<Vec<([VertexId; 2], u32)>>,
@@ -99,9 +115,14 @@ impl ConstrainedTriangulation {
             .map(move |h| [mesh.origin(h), mesh.dest(h)])
     }
 
-    /// Returns the segments of the input.
+    /// Returns the segments of the input; behind them, if the convex hull has been refined, its edges.
     pub fn segments(&self) -> &[[VertexId; 2]] {
         &self.segments
+    }
+
+    /// Counts the segments of the input.
+    pub fn num_input_segments(&self) -> usize {
+        self.lineage.num_segments
     }
 
     /// Returns the vertices along a segment of the input, from its first end to its second. Equal
@@ -110,7 +131,10 @@ impl ConstrainedTriangulation {
     /// # Panics
     /// If there is no such segment.
     pub fn chain(&self, segment: usize) -> &[VertexId] {
-        self.chains.get(segment).unwrap_or(&self.segments[segment])
+        self.lineage
+            .chains
+            .get(segment)
+            .unwrap_or(&self.segments[segment])
     }
 
     /// Visits the segments of the input along the edge of `h`, ascending, each as often as it runs there.
@@ -141,20 +165,40 @@ impl ConstrainedTriangulation {
     /// # Panics
     /// If `v` is no vertex of the result.
     pub fn origin(&self, v: VertexId) -> Origin {
-        match v.index().checked_sub(self.num_input_points()) {
-            None => Origin::Input(v),
-            Some(i) => Origin::Crossing(self.crossings[i].map(|s| s as usize)),
+        let Some(i) = v.index().checked_sub(self.num_input_points()) else {
+            return Origin::Input(v);
+        };
+        let Lineage {
+            crossings, steiner, ..
+        } = &self.lineage;
+        match crossings.get(i) {
+            Some(pair) => Origin::Crossing(pair.map(|s| s as usize)),
+            None => match steiner[i - crossings.len()] {
+                NO_SEGMENT => Origin::Free,
+                segment => Origin::OnSegment(segment as usize),
+            },
         }
     }
 
     /// Counts the points of the input.
     pub fn num_input_points(&self) -> usize {
-        self.triangulation.points().len() - self.crossings.len()
+        self.triangulation.points().len() - self.num_crossings() - self.num_steiner()
     }
 
     /// Counts the vertices that were added where segments cross.
     pub fn num_crossings(&self) -> usize {
-        self.crossings.len()
+        self.lineage.crossings.len()
+    }
+
+    /// Counts the vertices that refinement has added, behind all others.
+    pub fn num_steiner(&self) -> usize {
+        self.lineage.steiner.len()
+    }
+
+    /// Counts those of them that lie on segments.
+    pub fn num_on_segments(&self) -> usize {
+        let steiner = self.lineage.steiner.iter();
+        steiner.filter(|&&segment| segment != NO_SEGMENT).count()
     }
 
     /// Returns the region of triangle `t`, as an index of [`regions`](Self::regions).

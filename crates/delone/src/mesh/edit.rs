@@ -205,7 +205,7 @@ impl Mesh {
     }
 
     /// Appends a face whose twins are still to be bonded.
-    fn push_face(&mut self, corners: [VertexId; 3]) -> TriangleId {
+    pub(crate) fn push_face(&mut self, corners: [VertexId; 3]) -> TriangleId {
         let t = TriangleId::new(self.num_faces());
         self.corners.push(corners);
         self.twins.push(t.half_edges());

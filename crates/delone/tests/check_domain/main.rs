@@ -4,6 +4,10 @@
 #[macro_use]
 mod claim;
 mod long;
+mod mesh;
+mod quality;
 mod random;
+mod reached;
+mod refined;
 mod right;
 mod wrong;

@@ -1,6 +1,6 @@
-//! Exact decisions about points whose coordinates are multiples of 2⁻⁵³ in [0, 1).
+//! Exact decisions about points whose coordinates are multiples of 2⁻⁵³ in [0, 1].
 //!
-//! Such coordinates are integers below 2⁵³ in units of 2⁻⁵³; the terms of an orientation then need
+//! Such coordinates are integers up to 2⁵³ in units of 2⁻⁵³; the terms of an orientation then need
 //! 107 bits.
 
 /// 2⁵³.
@@ -11,11 +11,15 @@ pub fn snap(coordinate: f64) -> f64 {
     (coordinate * UNITS).round() / UNITS
 }
 
-/// Tells whether two closed segments have a point in common. Segments on one line count as
-/// meeting, wherever they lie on it: a generator that wants them apart loses nothing by that.
+/// Tells whether two closed segments have a point in common.
 pub fn meet(s: [[f64; 2]; 2], t: [[f64; 2]; 2]) -> bool {
     let [[a, b], [c, d]] = [s, t].map(|ends| ends.map(integers));
-    !same_side(a, b, c, d) && !same_side(c, d, a, b)
+    // Of segments on one line only the boxes tell, and those of segments that meet overlap anyway.
+    boxes_overlap([a, b], [c, d]) && !same_side(a, b, c, d) && !same_side(c, d, a, b)
+}
+
+fn boxes_overlap([a, b]: [[i128; 2]; 2], [c, d]: [[i128; 2]; 2]) -> bool {
+    (0..2).all(|k| a[k].max(b[k]) >= c[k].min(d[k]) && c[k].max(d[k]) >= a[k].min(b[k]))
 }
 
 fn integers(point: [f64; 2]) -> [i128; 2] {
@@ -45,6 +49,8 @@ mod tests {
         assert!(meet([o, e], [[0.25, 0.0], m]));
         assert!(meet([o, e], [e, m]));
         assert!(!meet([o, e], [n, m]));
+        assert!(!meet([o, [0.25, 0.25]], [[0.375, 0.375], m]));
+        assert!(meet([o, [0.375, 0.375]], [[0.25, 0.25], m]));
         let beside = [0.25, 1.0 / 9_007_199_254_740_992.0];
         assert!(!meet([o, e], [beside, m]));
     }

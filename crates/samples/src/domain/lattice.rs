@@ -24,6 +24,7 @@ pub fn lines(count: usize, random: &mut Random) -> Drawing {
             .iter()
             .map(|&place| [place % side, place / side].map(|c| c as f64))
             .collect(),
+        holes: Vec::new(),
     }
 }
 

@@ -1,18 +1,23 @@
 //! Domains as data: points and segments between them.
 //!
-//! Three are clean and come in any size, for benchmarks: scattered segments, a coast, a spiral. Their
-//! segments meet at common ends only, by construction. The others cross, for tests and for the
-//! benchmark of splitting.
+//! Most are clean: their segments meet at common ends only, by construction. Three cross, for tests and
+//! for the benchmark of splitting. Those that [enclose](Domain::encloses) an area can be meshed; each is
+//! hard in another way.
 //!
-//! All coordinates but the lattice's are multiples of 2⁻⁵³ in the unit square: whatever the tests
+//! All coordinates but the lattice's are multiples of 2⁻⁵³ in the closed unit square: whatever the tests
 //! here claim of a drawing they decide in 128-bit integers.
 
 mod coast;
 mod exact;
+mod holes;
 mod lattice;
+mod rings;
 mod scatter;
+mod shapes;
 mod spiral;
 
+use self::coast::Character;
+use self::rings::Rings;
 use crate::{Random, UnknownName, names};
 use std::fmt;
 use std::str::FromStr;
@@ -34,6 +39,26 @@ pub enum Domain {
     /// Segments between points of an integer lattice: shared ends, overlaps, T-junctions, crossings
     /// in vertices and beside them.
     LatticeLines,
+    /// A coast whose segments are of unequal lengths, with bays that end in acute corners.
+    Fjords,
+    /// The unit square, its sides cut into equal pieces.
+    Square,
+    /// The unit square with round holes of 18 sides in the mean: 1000 of them with 18,004 segments.
+    Holes,
+    /// An airfoil in a square channel: a sharp trailing edge, vertices crowded at both ends.
+    Airfoil,
+    /// A gear with a hole for the shaft: many equal features.
+    Gear,
+    /// A star whose spikes end in acute corners, which nobody can improve.
+    Star,
+    /// A comb: long thin teeth, side by side.
+    Comb,
+    /// Rings in rings, every other one left out: thin channels.
+    Rings,
+    /// The joints between paving stones: narrow gaps of all widths between convex holes.
+    Joints,
+    /// A town of rectangular buildings, each district turned in another direction.
+    Town,
 }
 
 /// Points, and segments between them.
@@ -42,18 +67,42 @@ pub struct Drawing {
     /// The points, ends of segments and loose ones alike.
     pub points: Vec<[f64; 2]>,
     /// The two ends of each segment, as indices of points.
+    /// Those of an outline run with the domain on their left, all others in any direction.
     pub segments: Vec<[u32; 2]>,
+    /// A point in each hole.
+    pub holes: Vec<[f64; 2]>,
+}
+
+impl Drawing {
+    /// Returns the area of a domain that the segments [enclose](Domain::encloses).
+    pub fn area(&self) -> f64 {
+        let twice = self.segments.iter().map(|ends| {
+            let [[ax, ay], [bx, by]] = ends.map(|v| self.points[v as usize]);
+            ax * by - ay * bx
+        });
+        0.5 * twice.sum::<f64>()
+    }
 }
 
 impl Domain {
     /// All domains, in the order of the table.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 16] = [
         Self::Segments,
         Self::Coast,
         Self::Spiral,
         Self::CrossingSegments,
         Self::Tangle,
         Self::LatticeLines,
+        Self::Fjords,
+        Self::Square,
+        Self::Holes,
+        Self::Airfoil,
+        Self::Gear,
+        Self::Star,
+        Self::Comb,
+        Self::Rings,
+        Self::Joints,
+        Self::Town,
     ];
 
     /// Returns the name by which commands and tables call it.
@@ -65,6 +114,16 @@ impl Domain {
             Self::CrossingSegments => "crossing-segments",
             Self::Tangle => "tangle",
             Self::LatticeLines => "lattice-lines",
+            Self::Fjords => "fjords",
+            Self::Square => "square",
+            Self::Holes => "holes",
+            Self::Airfoil => "airfoil",
+            Self::Gear => "gear",
+            Self::Star => "star",
+            Self::Comb => "comb",
+            Self::Rings => "rings",
+            Self::Joints => "joints",
+            Self::Town => "town",
         }
     }
 
@@ -79,12 +138,31 @@ impl Domain {
             Self::LatticeLines => {
                 "segments on an integer lattice: overlaps, T-junctions, crossings"
             }
+            Self::Fjords => "a coast of unequal segments, with bays that end in acute corners",
+            Self::Square => "the unit square, its sides cut into equal pieces",
+            Self::Holes => "round holes in the unit square: 1000 with 18004 segments",
+            Self::Airfoil => "an airfoil in a square channel: a sharp trailing edge",
+            Self::Gear => "a gear with a hole for the shaft",
+            Self::Star => "a star: spikes that end in acute corners",
+            Self::Comb => "a comb: long thin teeth side by side",
+            Self::Rings => "rings in rings, every other one left out: thin channels",
+            Self::Joints => "the joints between paving stones: narrow gaps of all widths",
+            Self::Town => "rectangular buildings, turned with their districts",
         }
     }
 
     /// Tells whether the segments form one closed ring, in order.
     pub const fn is_ring(self) -> bool {
-        matches!(self, Self::Coast | Self::Spiral)
+        matches!(
+            self,
+            Self::Coast | Self::Spiral | Self::Fjords | Self::Square | Self::Star | Self::Comb
+        )
+    }
+
+    /// Tells whether the segments enclose an area: what lies behind an odd number of them. Carving
+    /// from outside and from the drawing's holes leaves the same.
+    pub const fn encloses(self) -> bool {
+        !matches!(self, Self::Segments) && !self.crosses()
     }
 
     /// Tells whether segments cross in points that are no vertices.
@@ -95,20 +173,33 @@ impl Domain {
         )
     }
 
-    /// Draws `count` segments, the same ones for the same `seed` on every machine. A ring of fewer
-    /// than three segments is empty.
+    /// Draws `count` segments, the same ones for the same `seed` on every machine. What encloses an
+    /// area is empty if they are fewer than three, and has no holes if they are too few.
     ///
     /// # Panics
     /// If there would be more points than 32 bits can number.
     pub fn draw(self, count: usize, seed: u64) -> Drawing {
+        if self.encloses() && count < 3 {
+            return Drawing::default();
+        }
         let mut random = Random::named(self.name(), seed);
         match self {
             Self::Segments => scatter::apart(count, &mut random),
-            Self::Coast => ring(count, |count| coast::vertices(count, &mut random)),
-            Self::Spiral => ring(count, |count| spiral::vertices(count, &mut random)),
+            Self::Coast => ring(coast::vertices(count, Character::EVEN, &mut random)),
+            Self::Spiral => ring(spiral::vertices(count, &mut random)),
             Self::CrossingSegments => scatter::across(count, &mut random),
             Self::Tangle => scatter::tangled(count, &mut random),
             Self::LatticeLines => lattice::lines(count, &mut random),
+            Self::Fjords => ring(coast::vertices(count, Character::UNEVEN, &mut random)),
+            Self::Square => ring(rings::square(count)),
+            Self::Holes => holes::round(count, &mut random),
+            Self::Airfoil => shapes::airfoil(count, &mut random),
+            Self::Gear => shapes::gear(count, &mut random),
+            Self::Star => ring(shapes::star(count, &mut random)),
+            Self::Comb => ring(shapes::comb(count, &mut random)),
+            Self::Rings => shapes::nested(count, &mut random),
+            Self::Joints => holes::joints(count, &mut random),
+            Self::Town => holes::town(count, &mut random),
         }
     }
 }
@@ -127,18 +218,11 @@ impl FromStr for Domain {
     }
 }
 
-/// Joins `count` vertices, each to the next and the last to the first.
-fn ring(count: usize, vertices: impl FnOnce(usize) -> Vec<[f64; 2]>) -> Drawing {
-    if count < 3 {
-        return Drawing::default();
-    }
-    let points: Vec<_> = vertices(count)
-        .into_iter()
-        .map(|p| p.map(exact::snap))
-        .collect();
-    let last = index(points.len() - 1);
-    let segments = (0..last).map(|i| [i, i + 1]).chain([[last, 0]]).collect();
-    Drawing { points, segments }
+/// Joins vertices, each to the next and the last to the first.
+fn ring(vertices: Vec<[f64; 2]>) -> Drawing {
+    let mut rings = Rings::default();
+    rings.add(vertices);
+    rings.finish()
 }
 
 /// Joins each of `segments`' own two ends.
@@ -147,6 +231,7 @@ fn loose(segments: Vec<[[f64; 2]; 2]>) -> Drawing {
     Drawing {
         segments: (0..segments.len()).map(ends).collect(),
         points: segments.into_flattened(),
+        holes: Vec::new(),
     }
 }
 
@@ -200,9 +285,10 @@ mod tests {
         for domain in Domain::ALL {
             let drawing = domain.draw(300, 1);
             assert_eq!(drawing, domain.draw(300, 1), "{domain}");
-            assert_ne!(drawing, domain.draw(300, 2), "{domain}");
+            let is_fixed = domain == Domain::Square;
+            assert_eq!(drawing == domain.draw(300, 2), is_fixed, "{domain}");
             for few in 0..3 {
-                let expected = if domain.is_ring() { 0 } else { few };
+                let expected = if domain.encloses() { 0 } else { few };
                 assert_eq!(domain.draw(few, 1).segments.len(), expected, "{domain}");
             }
         }
@@ -219,7 +305,7 @@ mod tests {
             assert!(
                 coordinates
                     .iter()
-                    .all(|&c| (0.0..1.0).contains(&c) && exact::snap(c) == c),
+                    .all(|&c| (0.0..=1.0).contains(&c) && exact::snap(c) == c),
                 "{domain}"
             );
         }
@@ -255,6 +341,48 @@ mod tests {
                 .map(|[a, b]| a[0] * b[1] - a[1] * b[0])
                 .sum();
             assert!(twice_area > 0.1, "{domain}: {twice_area}");
+        }
+    }
+
+    /// Counts the segments that the ray from a point to the right crosses.
+    fn behind(drawing: &Drawing, [x, y]: [f64; 2]) -> usize {
+        let crosses = |&[a, b]: &[[f64; 2]; 2]| {
+            (a[1] > y) != (b[1] > y) && a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) > x
+        };
+        ends(drawing).iter().filter(|s| crosses(s)).count()
+    }
+
+    #[test]
+    fn every_hole_lies_behind_an_even_number_of_rings_and_is_named_once() {
+        for (domain, count, holes) in [
+            (Domain::Holes, 18_004, 1000),
+            (Domain::Holes, 9000, 499),
+            (Domain::Airfoil, 300, 1),
+            (Domain::Gear, 500, 1),
+            (Domain::Rings, 5000, 12),
+            (Domain::Rings, 6000, 13),
+            (Domain::Joints, 1000, 249),
+            (Domain::Town, 1003, 249),
+        ] {
+            let drawing = domain.draw(count, 4);
+            assert_eq!(drawing.holes.len(), holes, "{domain}");
+            for &hole in &drawing.holes {
+                assert_eq!(behind(&drawing, hole) % 2, 0, "{domain}: {hole:?}");
+                assert!(behind(&drawing, hole) > 0, "{domain}: {hole:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn areas_are_those_of_the_domain_without_its_holes() {
+        let area = |domain: Domain, count| domain.draw(count, 5).area();
+        assert_eq!(area(Domain::Square, 4), 1.0);
+        assert!((area(Domain::Square, 399) - 1.0).abs() < 1e-12);
+        assert!((0.74..0.77).contains(&area(Domain::Holes, 18_004)));
+        assert!((0.97..0.999).contains(&area(Domain::Airfoil, 200)));
+        for domain in Domain::ALL.into_iter().filter(|d| d.encloses()) {
+            let area = area(domain, 1000);
+            assert!((0.05..1.0 + 1e-12).contains(&area), "{domain}: {area}");
         }
     }
 

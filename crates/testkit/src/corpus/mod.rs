@@ -98,6 +98,7 @@ const RULES: &[(&str, &str, Rule)] = &[
     ("predicates/", ".txt", Cases),
     ("wkt/", ".wkt", Wkt),
     ("airfoil/", ".dat", Airfoil),
+    ("thesis/", ".json", Skip("worked examples: tables")),
     ("franke/FUNCTIONS.md", "", Skip("formulas")),
     ("franke/", ".csv", Table),
 ];

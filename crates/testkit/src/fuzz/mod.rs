@@ -1,10 +1,11 @@
 //! Cases and checks for fuzzing: small inputs, dense in degeneracy, built in several ways.
 //!
-//! The programs `fuzz-points` and `fuzz-segments` run millions of cases in one process, as a
+//! The programs `fuzz-points`, `fuzz-segments` and `fuzz-refine` run millions of cases in one process, as a
 //! [`Campaign`]; the targets of `fuzz/` let a coverage-guided fuzzer choose the input.
 
 mod campaign;
 pub mod points;
+pub mod refine;
 pub mod segments;
 
 pub use campaign::{Campaign, Options, Subject};

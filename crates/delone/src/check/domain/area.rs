@@ -8,7 +8,7 @@ use super::rule;
 use super::sweep::{Below, Spot};
 use super::union::Union;
 use crate::pace::Pace;
-use crate::{DomainRule, Error, Pslg, Seed};
+use crate::{DomainRule, Error, Point, Pslg, Seed};
 
 /// Which side of what belongs to the domain.
 pub(super) struct Area {
@@ -16,6 +16,8 @@ pub(super) struct Area {
     belongs: Vec<bool>,
     /// The hole that each face is, if a seed lies in it.
     hole: Vec<Option<u32>>,
+    /// The region that each face is, if a seed lies in it: the first one.
+    region: Vec<Option<u32>>,
 }
 
 impl Area {
@@ -31,29 +33,53 @@ impl Area {
         let belongs = rule::take(input, domain, graph, &faces, chains, pace)?;
         let mut area = Self {
             hole: vec![None; faces.count()],
+            region: vec![None; faces.count()],
             belongs,
             faces,
         };
-        for (hole, &spot) in below.seeds.iter().enumerate() {
+        let segment_of = |dart: Dart| {
+            let edge = graph.edges()[dart.edge()];
+            let owner = || chains.owners[dart.edge()].expect("bug: a stray subsegment") as usize;
+            let owner = edge.is_subsegment.then(owner);
+            owner.filter(|&segment| segment < input.segments.len())
+        };
+        for (&spot, seed) in below.seeds.iter().zip(seeds(input)) {
             pace.step()?;
-            let on_segment = |edge: usize| Error::SeedOnSegment {
-                seed: Seed::Hole(hole),
-                at: input.holes[hole],
-                segment: chains.owners[edge].expect("bug: a stray subsegment") as usize,
-            };
-            let face = area.face_at(graph, below, spot).map_err(on_segment)?;
-            area.belongs[face as usize] = false;
-            area.hole[face as usize] = Some(hole as u32);
+            let face = area.face_at(graph, below, spot, segment_of);
+            let face = face.map_err(|segment| Error::SeedOnSegment {
+                seed,
+                at: seed_at(input, seed),
+                segment,
+            })?;
+            area.note(face as usize, seed);
         }
         Ok(area)
     }
 
-    /// Returns the face that a seed stands for, or the subsegment that it lies on.
+    /// Notes that a seed lies in a face.
+    fn note(&mut self, face: usize, seed: Seed) {
+        match seed {
+            Seed::Hole(hole) => {
+                self.belongs[face] = false;
+                self.hole[face] = Some(hole as u32);
+            }
+            Seed::Region(region) => {
+                self.region[face].get_or_insert(region as u32);
+            }
+        }
+    }
+
+    /// Returns the face that a seed stands for, or the segment that it lies on.
     ///
     /// Upon an edge that only closes the hull, it is the face inside.
-    fn face_at(&self, graph: &Graph, below: &Below, spot: Spot) -> Result<Face, usize> {
+    fn face_at(
+        &self,
+        graph: &Graph,
+        below: &Below,
+        spot: Spot,
+        segment_of: impl Fn(Dart) -> Option<usize>,
+    ) -> Result<Face, usize> {
         let inner = |dart: Dart| self.faces.left(dart).max(self.faces.left(dart.twin()));
-        let is_subsegment = |dart: &&Dart| graph.edges()[dart.edge()].is_subsegment;
         let edges = match spot {
             Spot::Above(edge) => return Ok(self.faces.above(edge)),
             Spot::On(place) if graph.star(place).is_empty() => {
@@ -62,8 +88,8 @@ impl Area {
             Spot::On(place) => graph.star(place),
             Spot::Inside(edge) => &[Dart::rightward(edge)],
         };
-        match edges.iter().find(is_subsegment) {
-            Some(dart) => Err(dart.edge()),
+        match edges.iter().find_map(|&dart| segment_of(dart)) {
+            Some(segment) => Err(segment),
             None => Ok(inner(edges[0])),
         }
     }
@@ -76,6 +102,11 @@ impl Area {
     /// Returns the hole to the left of a dart, if a seed lies in it.
     pub fn hole_left_of(&self, dart: Dart) -> Option<usize> {
         self.hole[self.faces.left(dart) as usize].map(|hole| hole as usize)
+    }
+
+    /// Returns the region to the left of a dart, if a seed lies in it.
+    pub fn region_left_of(&self, dart: Dart) -> Option<usize> {
+        self.region[self.faces.left(dart) as usize].map(|region| region as usize)
     }
 
     /// Tells whether a place lies in the domain or on its boundary.
@@ -105,5 +136,18 @@ impl Area {
         let components = is_domain.iter().filter(|&&d| d).count();
         // The outer face and what hangs together with it is no hole.
         Ok([components, is_domain.len() - components - 1])
+    }
+}
+
+/// Visits the seeds of holes, then those of regions, as they are listed for the sweep.
+fn seeds(input: &Pslg) -> impl Iterator<Item = Seed> {
+    let holes = (0..input.holes.len()).map(Seed::Hole);
+    holes.chain((0..input.regions.len()).map(Seed::Region))
+}
+
+fn seed_at(input: &Pslg, seed: Seed) -> Point {
+    match seed {
+        Seed::Hole(hole) => input.holes[hole],
+        Seed::Region(region) => input.regions[region].at,
     }
 }

@@ -1,4 +1,5 @@
-//! Why a chain may leave its segment: because segments cross there, or have crossed nearby.
+//! Why a chain may leave its segment: because segments cross there, or have crossed nearby, or because
+//! refinement has split it there.
 
 use super::drift::Corridor;
 use super::graph::Graph;
@@ -38,6 +39,11 @@ impl Bends {
         self.bent.push((segment, place));
     }
 
+    /// Tells whether the chain of a segment passes a place.
+    pub fn is_passed(&self, place: Place) -> bool {
+        self.first[place as usize].is_some()
+    }
+
     /// Tells whether chains of segments on different lines meet at a place: there alone a vertex may
     /// have been added.
     pub fn is_crossing(&self, place: Place) -> bool {
@@ -47,11 +53,14 @@ impl Bends {
     /// Visits the segments that are bent without reason, with a place each.
     ///
     /// A piece of a segment can be bent onto a point where nothing crosses, but only after a crossing
-    /// has bent it first.
-    pub fn unfounded(&self) -> impl Iterator<Item = (usize, Place)> + '_ {
+    /// has bent it first. Steiner points are a reason of their own.
+    pub fn unfounded(
+        &self,
+        is_steiner: impl Fn(Place) -> bool,
+    ) -> impl Iterator<Item = (usize, Place)> {
         let groups = self.bent.chunk_by(|a, b| a.0 == b.0);
         groups
             .filter(|group| !group.iter().any(|&(_, place)| self.is_crossing(place)))
-            .map(|group| group[0])
+            .filter_map(move |group| group.iter().copied().find(|&(_, place)| !is_steiner(place)))
     }
 }

@@ -28,6 +28,9 @@ const PATIENCE: usize = 64;
 /// The chains that a builder claims: for each segment its vertices.
 pub(super) type Claimed<'a> = &'a dyn Fn(usize) -> &'a [VertexId];
 
+/// The chain that is claimed for a segment, if one is.
+pub(super) type Claim<'c, 'a> = &'c dyn Fn(usize) -> Option<&'a [VertexId]>;
+
 /// The chains of all segments, as darts from their first ends to their second.
 pub(super) struct Chains {
     /// Where the chain of each segment begins, and where the last one ends.
@@ -46,16 +49,17 @@ impl Chains {
     pub fn find(
         graph: &Graph,
         segments: &[[VertexId; 2]],
-        claimed: Option<Claimed>,
+        claimed: Claim,
+        is_refined: bool,
         pace: &mut Pace,
     ) -> Result<Self, Error> {
-        let mut finder = Finder::new(graph);
+        let mut finder = Finder::new(graph, is_refined);
         for (index, ends) in segments.iter().enumerate() {
             pace.step()?;
             let ends = ends.map(|v| graph.places.of(v));
-            let track = Track::new(graph, ends);
-            let broken = match claimed {
-                Some(claimed) => finder.accept(&track, claimed(index), pace)?,
+            let track = Track::new(graph, ends, is_refined);
+            let broken = match claimed(index) {
+                Some(chain) => finder.accept(&track, chain, pace)?,
                 None => finder.search(&track, pace)?,
             };
             match broken {
@@ -64,9 +68,7 @@ impl Chains {
             }
             finder.chains.starts.push(finder.chains.darts.len());
         }
-        if claimed.is_none() {
-            finder.look_closer(segments, pace)?;
-        }
+        finder.look_closer(segments, claimed, pace)?;
         Ok(finder.chains)
     }
 
@@ -96,11 +98,11 @@ struct Track {
 }
 
 impl Track {
-    fn new(graph: &Graph, ends: [Place; 2]) -> Self {
+    fn new(graph: &Graph, ends: [Place; 2], is_refined: bool) -> Self {
         let [from, to] = ends.map(|end| graph.places.at(end));
         Self {
             ends,
-            corridor: Corridor::new(from, to),
+            corridor: Corridor::new(from, to, is_refined),
         }
     }
 
@@ -109,7 +111,7 @@ impl Track {
         let [p, q] = [graph.origin(dart), graph.dest(dart)].map(|end| graph.places.at(end));
         graph.edges()[dart.edge()].is_subsegment
             && self.corridor.goes_on(p, q)
-            && self.corridor.is_near(q)
+            && self.corridor.is_near(p, q)
     }
 }
 
@@ -124,6 +126,7 @@ enum Steps {
 
 struct Finder<'a> {
     graph: &'a Graph<'a>,
+    is_refined: bool,
     chains: Chains,
     /// The darts of the chain at hand; with several ways, of all of them.
     tried: Vec<Dart>,
@@ -138,10 +141,11 @@ struct Finder<'a> {
 }
 
 impl<'a> Finder<'a> {
-    fn new(graph: &'a Graph<'a>) -> Self {
+    fn new(graph: &'a Graph<'a>, is_refined: bool) -> Self {
         let num_places = graph.places.len();
         Self {
             graph,
+            is_refined,
             chains: Chains {
                 starts: vec![0],
                 darts: Vec::new(),
@@ -212,16 +216,24 @@ impl<'a> Finder<'a> {
         Ok(None)
     }
 
-    /// Looks for all ways of the segments, if some subsegments are part of none yet.
-    fn look_closer(&mut self, segments: &[[VertexId; 2]], pace: &mut Pace) -> Result<(), Error> {
+    /// Looks for all ways of the segments whose chains nobody claims, if some subsegments are part of
+    /// none yet.
+    fn look_closer(
+        &mut self,
+        segments: &[[VertexId; 2]],
+        claimed: Claim,
+        pace: &mut Pace,
+    ) -> Result<(), Error> {
         if self.chains.stray(self.graph).next().is_none() {
             return Ok(());
         }
         for (segment, ends) in segments.iter().enumerate() {
             pace.step()?;
-            let track = Track::new(self.graph, ends.map(|v| self.graph.places.of(v)));
+            let ends = ends.map(|v| self.graph.places.of(v));
+            let track = Track::new(self.graph, ends, self.is_refined);
             // What crosses nothing has no other ways.
-            if self.chains.of(segment).len() > 1 && self.patience > 0 {
+            let has_ways = self.chains.of(segment).len() > 1 && claimed(segment).is_none();
+            if has_ways && self.patience > 0 {
                 self.walk(&track, Steps::All, pace)?;
                 self.own(segment, &track);
             }

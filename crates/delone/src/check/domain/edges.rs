@@ -1,4 +1,7 @@
 //! Which edges the graph has: the claimed subsegments and, under [`DomainRule::Hull`], the hull.
+//!
+//! Of a refined mesh the hull is made of segments like any other, which are split and rounded: there
+//! the edges of the input's hull are segments, and the graph has subsegments only.
 
 use super::super::{Corner, Defect, Defects};
 use super::graph::Edge;
@@ -6,7 +9,7 @@ use super::places::{Place, Places};
 use super::sort::sort;
 use crate::pace::Pace;
 use crate::predicates::{Orientation, orient2d};
-use crate::{DomainRule, Error, Point, VertexId};
+use crate::{Error, Point, VertexId};
 
 /// Most edges whose darts 32 bits can number.
 const MOST_EDGES: usize = u32::MAX as usize / 2;
@@ -41,11 +44,12 @@ pub(super) fn check_ends(
     Ok(())
 }
 
-/// Lists the edges of the graph, sorted and each once; reports subsegments that repeat.
+/// Lists the edges of the graph, sorted and each once, with those of the hull if it is asked for; reports
+/// subsegments that repeat.
 pub(super) fn collect(
     places: &Places,
     subsegments: &[[VertexId; 2]],
-    rule: DomainRule,
+    with_hull: bool,
     pace: &mut Pace,
 ) -> Result<(Vec<Edge>, Vec<[Place; 2]>), Error> {
     let mut edges = Vec::with_capacity(subsegments.len());
@@ -57,7 +61,7 @@ pub(super) fn collect(
             is_subsegment: true,
         });
     }
-    if rule == DomainRule::Hull {
+    if with_hull {
         edges.extend(hull(places, pace)?);
     }
     // Of equal edges the subsegment comes first, and stays.
@@ -75,8 +79,8 @@ pub(super) fn collect(
 
 /// Lists the edges of the convex hull, from each place on it to the next; on one line, all twice.
 fn hull(places: &Places, pace: &mut Pace) -> Result<Vec<Edge>, Error> {
-    let lower = chain(places, Orientation::Right, pace)?;
-    let upper = chain(places, Orientation::Left, pace)?;
+    let lower = chain(places, places.all(), Orientation::Right, pace)?;
+    let upper = chain(places, places.all(), Orientation::Left, pace)?;
     let steps = lower.windows(2).chain(upper.windows(2));
     let edges = steps.map(|step| Edge {
         ends: [step[0], step[1]],
@@ -85,10 +89,37 @@ fn hull(places: &Places, pace: &mut Pace) -> Result<Vec<Edge>, Error> {
     Ok(edges.collect())
 }
 
-/// Returns the chain from the first place to the last that never turns to the side `forbidden`.
-fn chain(places: &Places, forbidden: Orientation, pace: &mut Pace) -> Result<Vec<Place>, Error> {
+/// Lists the edges of the convex hull of the first `num_points` points as segments: counter-clockwise
+/// from the leftmost one; none if all lie on one line.
+pub(super) fn hull_segments(
+    places: &Places,
+    num_points: usize,
+    pace: &mut Pace,
+) -> Result<Vec<[VertexId; 2]>, Error> {
+    // Added points are at places of their own.
+    let is_given = |&place: &Place| places.vertex(place).index() < num_points;
+    let given: Vec<Place> = places.all().filter(is_given).collect();
+    let lower = chain(places, given.iter().copied(), Orientation::Right, pace)?;
+    let mut upper = chain(places, given.iter().copied(), Orientation::Left, pace)?;
+    if lower == upper {
+        return Ok(Vec::new());
+    }
+    upper.reverse();
+    let steps = lower.windows(2).chain(upper.windows(2));
+    Ok(steps
+        .map(|step| [step[0], step[1]].map(|place| places.vertex(place)))
+        .collect())
+}
+
+/// Returns the chain from the first of some places to the last that never turns to the side `forbidden`.
+fn chain(
+    places: &Places,
+    ascending: impl Iterator<Item = Place>,
+    forbidden: Orientation,
+    pace: &mut Pace,
+) -> Result<Vec<Place>, Error> {
     let mut chain: Vec<Place> = Vec::new();
-    for place in places.all() {
+    for place in ascending {
         pace.step()?;
         while let [.., a, b] = chain[..] {
             let [a, b, c] = [a, b, place].map(|p| places.at(p));

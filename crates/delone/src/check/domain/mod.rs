@@ -47,73 +47,50 @@
 //! memory about 150 bytes a point and 40 a triangle. Where the plane or the segments turn out wrong,
 //! there is no domain to compare with, and the verification ends.
 //!
-//! This module does not check regions, nor that added vertices are rounded correctly.
+//! # Refined meshes
+//! A mesh that is [said to be refined](DomainMesh::refined) may have vertices that nobody drew, as long as
+//! triangles have them: inside the domain on no subsegment, or on the chain of a segment, near to it
+//! as repeated rounding demands ([`drift`]), which is the one other reason for it to bend. Under
+//! [`DomainRule::Hull`] the hull is then split and rounded like any segment: the edges of the *input's*
+//! hull are segments, and the domain is what their chains enclose. All else stays proven as above.
+//!
+//! This module does not check regions, nor that added vertices are rounded correctly. The seed of a hole
+//! that lies within the drift of a segment may be found on its other side.
 
 mod area;
 mod bends;
 mod chains;
+mod claim;
 mod cover;
 mod drift;
 mod edges;
 mod faces;
+mod found;
 mod graph;
 mod input;
 mod places;
+mod quality;
 mod rule;
 mod sort;
 mod sweep;
 mod union;
 
 use super::certificate::DomainNumbers;
-use super::{Corner, Defect, Defects, Verdict, Verifier, adjacency, require_points};
+pub use claim::DomainMesh;
+pub use quality::{Asked, Counts, Encroached, Excuse, QualityVerdict, Unmet, verify_quality};
+
+use super::{Certificate, Corner, Defect, Defects, Verdict, Verifier, adjacency, require_points};
 use crate::pace::Pace;
 use crate::{DomainRule, Error, Phase, Point, Pslg, VertexId, Watch};
 use adjacency::Adjacency;
 use area::Area;
-use chains::{Chains, Claimed};
+use chains::Chains;
 use cover::Borders;
+use found::Found;
 use graph::{Dart, Graph};
 use places::{Place, Places};
+use std::borrow::Cow;
 use sweep::{Below, Conflict};
-
-/// What is claimed to be the constrained Delaunay triangulation of a domain.
-#[derive(Clone, Copy)]
-pub struct DomainMesh<'a> {
-    points: &'a [Point],
-    triangles: &'a [[VertexId; 3]],
-    subsegments: &'a [[VertexId; 2]],
-    chains: Option<Claimed<'a>>,
-}
-
-impl<'a> DomainMesh<'a> {
-    /// Takes the points of the input, followed by those that were added; the triangles of the domain;
-    /// and the constrained edges, those outside the domain included.
-    pub fn new(
-        points: &'a [Point],
-        triangles: &'a [[VertexId; 3]],
-        subsegments: &'a [[VertexId; 2]],
-    ) -> Self {
-        Self {
-            points,
-            triangles,
-            subsegments,
-            chains: None,
-        }
-    }
-
-    /// Claims for each segment the chain of its vertices, from its first end to its second, which
-    /// will be verified; a segment without length has one.
-    ///
-    /// Without this, chains are found by the verifier. Where segments run beside each other within a few
-    /// units in the last place, it takes one that fits, which need not be the one that was meant; with
-    /// [`DomainRule::EvenOdd`] a right mesh may be found wrong then.
-    pub fn with_chains(self, chains: &'a dyn Fn(usize) -> &'a [VertexId]) -> Self {
-        Self {
-            chains: Some(chains),
-            ..self
-        }
-    }
-}
 
 /// Decides whether `mesh` is the canonical constrained Delaunay triangulation of the domain that
 /// `rule` makes of `input`.
@@ -157,13 +134,16 @@ pub fn verify_domain(
         pace,
         defects: Defects::default(),
     };
-    DomainVerifier {
+    let verifier = DomainVerifier {
         input,
         rule,
         mesh,
         verifier,
-    }
-    .everything()
+    };
+    Ok(match verifier.everything(&input.holes, |_, _| Ok(()))? {
+        Ok((certificate, ())) => Verdict::Right(certificate),
+        Err(defects) => Verdict::Wrong(defects),
+    })
 }
 
 /// Estimates the steps of a verification without defects.
@@ -193,12 +173,17 @@ struct DomainVerifier<'v, 'm> {
     verifier: Verifier<'v>,
 }
 
-impl DomainVerifier<'_, '_> {
-    fn everything(mut self) -> Result<Verdict, Error> {
+impl<'v> DomainVerifier<'v, '_> {
+    /// Verifies everything, finding out where `seeds` lie, and if all is right, lets `judge` look at it.
+    fn everything<T>(
+        mut self,
+        seeds: &[Point],
+        judge: impl FnOnce(&Found, &mut Pace<'v>) -> Result<T, Error>,
+    ) -> Result<Result<(Certificate, T), Defects>, Error> {
         self.check_ids()?;
         if self.is_wrong() {
             // Without corners and ends there is nothing to speak of.
-            return Ok(self.wrong());
+            return Ok(Err(self.verifier.defects));
         }
         let places = Places::find(self.mesh.points, &mut self.verifier.pace)?;
         if self.rule == DomainRule::EvenOdd {
@@ -206,34 +191,43 @@ impl DomainVerifier<'_, '_> {
         }
         let corners = self.check_places(&places)?;
         let graph = self.graph(&places)?;
-        let borders = self.check_triangles(&graph)?;
-        let Some(below) = self.check_plane(&graph)? else {
-            return Ok(self.wrong());
+        let (adjacency, borders) = self.check_triangles(&graph)?;
+        let Some(below) = self.check_plane(&graph, seeds)? else {
+            return Ok(Err(self.verifier.defects));
         };
-        let Some(chains) = self.check_chains(&graph)? else {
-            return Ok(self.wrong());
+        let segments = self.segments(&places)?;
+        let Some(chains) = self.check_chains(&graph, &segments, &corners)? else {
+            return Ok(Err(self.verifier.defects));
         };
         let area = self.area(&graph, &below, &chains)?;
         borders.check(&mut self.verifier, &graph, &area, &self.input.holes)?;
         self.check_presence(&graph, &below, &area, &corners)?;
         if self.is_wrong() {
-            return Ok(self.wrong());
+            return Ok(Err(self.verifier.defects));
         }
-        let numbers = self.numbers(&graph, &area, &corners)?;
+        let found = Found {
+            input: self.input,
+            points: self.mesh.points,
+            triangles: self.mesh.triangles,
+            segments: &segments,
+            graph: &graph,
+            chains: &chains,
+            area: &area,
+            adjacency: &adjacency,
+            borders: &borders,
+        };
+        let judgement = judge(&found, &mut self.verifier.pace)?;
+        let numbers = self.numbers(&found, &corners)?;
         let vertices = places.len();
         let edges = (3 * self.mesh.triangles.len() + borders.count()) / 2;
         let certificate = self
             .verifier
             .certificate(vertices, edges, borders.count())?;
-        Ok(Verdict::Right(certificate.of_domain(numbers)))
+        Ok(Ok((certificate.of_domain(numbers), judgement)))
     }
 
     fn is_wrong(&self) -> bool {
         !self.verifier.defects.is_empty()
-    }
-
-    fn wrong(self) -> Verdict {
-        Verdict::Wrong(self.verifier.defects)
     }
 
     /// Requires the points of the input, and corners and ends among them.
@@ -284,7 +278,8 @@ impl DomainVerifier<'_, '_> {
 
     fn graph<'p>(&mut self, places: &'p Places<'p>) -> Result<Graph<'p>, Error> {
         let pace = &mut self.verifier.pace;
-        let (edges, repeated) = edges::collect(places, self.mesh.subsegments, self.rule, pace)?;
+        let with_hull = self.rule == DomainRule::Hull && !self.mesh.is_refined;
+        let (edges, repeated) = edges::collect(places, self.mesh.subsegments, with_hull, pace)?;
         for ends in repeated {
             let edge = ends.map(|end| places.corner(end));
             self.verifier
@@ -295,19 +290,19 @@ impl DomainVerifier<'_, '_> {
     }
 
     /// Tests triangles and the edges between them.
-    fn check_triangles(&mut self, graph: &Graph) -> Result<Borders, Error> {
+    fn check_triangles(&mut self, graph: &Graph) -> Result<(Adjacency<'v>, Borders), Error> {
         let verifier = &mut self.verifier;
         let upright = verifier.check_orientations()?;
         let Verifier { pace, defects, .. } = verifier;
         let adjacency = Adjacency::find(self.mesh.points, self.mesh.triangles, pace, defects)?;
         let borders = Borders::find(verifier, graph, &adjacency)?;
         verifier.check_edges(&adjacency, &upright, |h| borders.is_constrained(h))?;
-        Ok(borders)
+        Ok((adjacency, borders))
     }
 
     /// Tests whether the graph is planar, and finds out what lies where.
-    fn check_plane(&mut self, graph: &Graph) -> Result<Option<Below>, Error> {
-        let found = sweep::sweep(graph, &self.input.holes, &mut self.verifier.pace)?;
+    fn check_plane(&mut self, graph: &Graph, seeds: &[Point]) -> Result<Option<Below>, Error> {
+        let found = sweep::sweep(graph, seeds, &mut self.verifier.pace)?;
         let edge = |edge: usize| graph.corners(Dart::rightward(edge));
         let conflict = match found {
             Ok(below) => return Ok(Some(below)),
@@ -325,11 +320,33 @@ impl DomainVerifier<'_, '_> {
         Ok(None)
     }
 
+    /// Lists the segments of the input, and behind them those that make its hull.
+    fn segments(&mut self, places: &Places) -> Result<Cow<'v, [[VertexId; 2]]>, Error> {
+        let segments = &self.input.segments[..];
+        if self.rule != DomainRule::Hull || !self.mesh.is_refined {
+            return Ok(segments.into());
+        }
+        let num_points = self.input.points.len();
+        let hull = edges::hull_segments(places, num_points, &mut self.verifier.pace)?;
+        Ok([segments, &hull].concat().into())
+    }
+
     /// Tests segments and added vertices; where they are wrong, there is no domain to speak of.
-    fn check_chains(&mut self, graph: &Graph) -> Result<Option<Chains>, Error> {
-        let segments = &self.input.segments;
+    fn check_chains(
+        &mut self,
+        graph: &Graph,
+        segments: &[[VertexId; 2]],
+        corners: &[bool],
+    ) -> Result<Option<Chains>, Error> {
+        let (mesh, input) = (self.mesh, self.input);
         let pace = &mut self.verifier.pace;
-        let chains = Chains::find(graph, segments, self.mesh.chains, pace)?;
+        // Of the hull nobody needs to know which chain was meant: nothing is counted along it.
+        let claimed = |segment| mesh.chains.filter(|_| segment < input.segments.len());
+        let claimed = |segment| claimed(segment).map(|chains| chains(segment));
+        let chains = Chains::find(graph, segments, &claimed, mesh.is_refined, pace)?;
+        let is_steiner = |place: Place| {
+            mesh.is_refined && graph.places.vertex(place).index() >= input.points.len()
+        };
         let corner = |place: Place| graph.places.corner(place);
         let ends = |segment: usize| segments[segment].map(|v| Corner::new(self.mesh.points, v));
         let defects = &mut self.verifier.defects;
@@ -341,7 +358,7 @@ impl DomainVerifier<'_, '_> {
                 reached: corner(reached),
             });
         }
-        for (segment, place) in chains.bends.unfounded() {
+        for (segment, place) in chains.bends.unfounded(is_steiner) {
             defects.push(Defect::BentChain {
                 segment,
                 ends: ends(segment),
@@ -352,21 +369,32 @@ impl DomainVerifier<'_, '_> {
             let edge = graph.corners(Dart::rightward(edge));
             defects.push(Defect::StraySubsegment { edge });
         }
-        self.check_added(graph, &chains)?;
+        self.check_added(graph, &chains, corners)?;
         let is_right = self.verifier.defects.total() == before;
         Ok(is_right.then_some(chains))
     }
 
-    /// Requires a reason for every added vertex: today, that segments cross there.
-    fn check_added(&mut self, graph: &Graph, chains: &Chains) -> Result<(), Error> {
+    /// Requires a reason for every added vertex: that segments cross there, or that the mesh is refined
+    /// and triangles have it.
+    fn check_added(
+        &mut self,
+        graph: &Graph,
+        chains: &Chains,
+        corners: &[bool],
+    ) -> Result<(), Error> {
         for v in (self.input.points.len()..self.mesh.points.len()).map(VertexId::new) {
             self.verifier.pace.step()?;
-            if !chains.bends.is_crossing(graph.places.of(v)) {
-                let corner = self.verifier.corner(v);
-                self.verifier
-                    .defects
-                    .push(Defect::NeedlessVertex { corner });
+            let place = graph.places.of(v);
+            if chains.bends.is_crossing(place) {
+                continue;
             }
+            let corner = self.verifier.corner(v);
+            let is_used = corners[place as usize];
+            self.verifier.defects.push(match self.mesh.is_refined {
+                true if is_used => continue,
+                true => Defect::UnusedVertex { corner },
+                false => Defect::NeedlessVertex { corner },
+            });
         }
         Ok(())
     }
@@ -394,15 +422,19 @@ impl DomainVerifier<'_, '_> {
         Ok(())
     }
 
-    fn numbers(
-        &mut self,
-        graph: &Graph,
-        area: &Area,
-        corners: &[bool],
-    ) -> Result<DomainNumbers, Error> {
+    fn numbers(&mut self, found: &Found, corners: &[bool]) -> Result<DomainNumbers, Error> {
+        let Found { graph, area, .. } = *found;
         let [components, holes] = area.count_parts(graph, &mut self.verifier.pace)?;
+        let steiner = |on_segment: bool| {
+            let bends = &found.chains.bends;
+            let places = found.added().filter(|&place| !bends.is_crossing(place));
+            places.filter(|&p| bends.is_passed(p) == on_segment).count()
+        };
+        let [free, on_segments] = [false, true].map(steiner);
         Ok(DomainNumbers {
-            added: self.mesh.points.len() - self.input.points.len(),
+            added: found.added().count() - free - on_segments,
+            on_segments,
+            free,
             carved: corners.iter().filter(|&&is_corner| !is_corner).count(),
             subsegments: self.mesh.subsegments.len(),
             components,

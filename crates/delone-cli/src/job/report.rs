@@ -3,7 +3,7 @@
 use super::build::{Built, Laps};
 use crate::memory::peak_rss_bytes;
 use crate::words::{count, counted, duration, list};
-use delone::Triangulation;
+use delone::{ConstrainedTriangulation, Triangulation};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -13,20 +13,19 @@ const ABOUT: &str = "\
 lake: shores of islands, a pond on one of them, a river, deep water and shallow, soundings;
 drawn by this program (`delone sample lake -o FILE.poly` writes it down)";
 
-/// What to do after the first try.
-const NEXT: &str = "\
-Next: open lake.png, or let the result be verified from its files alone:
-  delone sample lake -o drawing.poly
-  delone check lake.ele --domain drawing.poly
-Your own: delone triangulate map.poly -o mesh.ele --picture mesh.png (`delone info map.poly` first)";
-
-/// Counts, name, time and memory; the fields are the keys of `--json`, in this order.
+/// Counts, name, what the command adds, time and memory; the fields are the keys of `--json`, in this
+/// order.
 #[derive(Serialize)]
-pub struct Report {
+pub struct Report<T> {
     #[serde(flatten)]
     figures: Figures,
+    #[serde(flatten)]
+    more: T,
     seconds: Seconds,
     peak_rss_bytes: Option<u64>,
+    /// The times for people.
+    #[serde(skip)]
+    times: String,
 }
 
 /// Counts and name of a result.
@@ -48,33 +47,65 @@ pub struct Figures {
 
 /// Wall time of the phases, in seconds.
 #[derive(Serialize)]
-pub struct Seconds {
+struct Seconds {
     read: f64,
     triangulate: f64,
     constrain: f64,
     carve: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refine: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    smooth: Option<f64>,
     write: f64,
 }
 
 impl Seconds {
-    /// Takes the durations of the phases.
-    pub fn new(read: Duration, laps: Laps, write: Duration) -> Self {
+    fn new([read, write]: [Duration; 2], laps: &Laps) -> Self {
         Self {
             read: read.as_secs_f64(),
             triangulate: laps.triangulate.as_secs_f64(),
             constrain: laps.constrain.as_secs_f64(),
             carve: laps.carve.as_secs_f64(),
+            refine: laps.refine.map(|[refine, _]| refine.as_secs_f64()),
+            smooth: laps.refine.map(|[_, smooth]| smooth.as_secs_f64()),
             write: write.as_secs_f64(),
         }
     }
 }
 
 impl Figures {
-    /// Counts and names the result. *Cost*: about 20 ns a triangle, for the hash.
+    /// Counts and names what was built. *Cost*: about 20 ns a triangle, for the hash.
     pub fn of(built: &Built, threads: usize) -> Self {
-        let result = built.triangulation();
+        match built {
+            Built::Points(triangulation) => Self::of_points(triangulation, threads),
+            Built::Domain(domain) => Self::of_domain(domain, threads),
+        }
+    }
+
+    /// Counts and names a domain's triangles. *Cost*: about 20 ns a triangle, for the hash.
+    pub fn of_domain(domain: &ConstrainedTriangulation, threads: usize) -> Self {
+        Self {
+            segments: domain.num_input_segments(),
+            constrained_edges: domain.constrained_edges().count(),
+            crossings_split: domain.num_crossings(),
+            steiner: domain.num_steiner(),
+            ..Self::of_points(domain.triangulation(), threads)
+        }
+    }
+
+    /// Returns the number of threads.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Returns the name of the set of triangles.
+    pub fn hash(&self) -> &str {
+        &self.hash
+    }
+
+    fn of_points(result: &Triangulation, threads: usize) -> Self {
         let vertices = num_used(result);
-        let figures = Self {
+        Self {
             vertices,
             triangles: result.num_triangles(),
             edges: result.num_edges(),
@@ -87,15 +118,6 @@ impl Figures {
             steiner: 0,
             threads,
             hash: result.hash().to_string(),
-        };
-        let Built::Domain(domain) = built else {
-            return figures;
-        };
-        Self {
-            segments: domain.segments().len(),
-            constrained_edges: domain.constrained_edges().count(),
-            crossings_split: domain.num_crossings(),
-            ..figures
         }
     }
 
@@ -124,13 +146,18 @@ impl Figures {
     }
 }
 
-impl Report {
-    /// Adds time, and the memory used so far.
-    pub fn new(figures: Figures, seconds: Seconds) -> Self {
+impl<T: Serialize> Report<T> {
+    /// Adds what the command has to say, how long reading, writing and what lies between them took, and
+    /// the memory used so far.
+    pub fn new(figures: Figures, more: T, files: [Duration; 2], laps: &Laps) -> Self {
+        let [read, write] = files.map(duration);
+        let between = laps.in_words(figures.threads);
         Self {
             figures,
-            seconds,
+            more,
+            seconds: Seconds::new(files, laps),
             peak_rss_bytes: peak_rss_bytes(),
+            times: format!("read in {read}, {between}, written in {write}"),
         }
     }
 
@@ -139,30 +166,25 @@ impl Report {
         serde_json::to_string(self).expect("bug: numbers and strings always serialise")
     }
 
-    /// Tells people on standard error.
-    pub fn summarise(&self, is_demonstration: bool, written: &[PathBuf]) {
-        if is_demonstration {
-            eprintln!("{}\n", ABOUT);
+    /// Tells people on standard error; `more` are lines of the command's own, and whoever tries the
+    /// program is told what comes `next`.
+    pub fn summarise(&self, more: &[String], next: Option<&str>, written: &[PathBuf]) {
+        if next.is_some() {
+            eprintln!("{ABOUT}\n");
         }
         eprintln!("{}", self.figures.in_words());
+        for line in more {
+            eprintln!("{line}");
+        }
         eprintln!("hash {}", self.figures.hash);
-        eprintln!("{}", self.effort());
+        eprintln!("{}", self.times);
         if !written.is_empty() {
             let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
             eprintln!("wrote {}", list(&names));
         }
-        if is_demonstration {
-            eprintln!("\n{}", NEXT);
+        if let Some(next) = next {
+            eprintln!("\n{next}");
         }
-    }
-
-    fn effort(&self) -> String {
-        let seconds = &self.seconds;
-        let took = |s: f64| duration(Duration::from_secs_f64(s));
-        let build = seconds.triangulate + seconds.constrain + seconds.carve;
-        let [read, build, write] = [seconds.read, build, seconds.write].map(took);
-        let threads = counted(self.figures.threads, "thread", "threads");
-        format!("read in {read}, triangulated in {build} ({threads}), written in {write}")
     }
 }
 

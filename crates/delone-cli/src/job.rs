@@ -1,0 +1,146 @@
+//! What every command does that makes a mesh: from an input, or the sample, to outputs and figures.
+
+mod build;
+mod report;
+
+use crate::exit::Failure;
+use crate::files::{Content, Input, Outputs, Reading, Writing};
+use crate::numbering::Numbering;
+use crate::progress::Progress;
+use crate::refinable::Refinable;
+use crate::sample::Scene;
+pub use build::{Building, Built, Laps, refine};
+use delone_io::DomainData;
+pub use report::{Figures, Report};
+use std::path::{Path, PathBuf};
+
+/// What is taken if nothing is named.
+const SAMPLE: Scene = Scene::Lake;
+
+/// Input and outputs, and how to get from one to the others.
+// Options without heading say so, lest they come under that of whatever stands before them.
+#[derive(clap::Args)]
+pub struct Job {
+    /// File of points or of a domain, or `-` for standard input
+    #[arg(help_heading = None)]
+    input: Option<PathBuf>,
+    /// Mesh to write: .node/.ele (a family of files), .npy, .vtu, .geojson, .svg, .png, or `-`;
+    /// repeatable
+    #[arg(short, long, value_name = "OUT", help_heading = None)]
+    output: Vec<PathBuf>,
+    /// Picture to write, .svg or .png, coloured by the quality of the triangles, with segments and regions
+    #[arg(short, long, value_name = "PIC", help_heading = None)]
+    picture: Option<PathBuf>,
+    /// Print one JSON object with counts, hash, seconds and memory
+    #[arg(long, help_heading = None)]
+    pub json: bool,
+    /// Number of threads; by default as many as the machine runs at once
+    #[arg(short, long, value_name = "N", help_heading = None,
+          value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    pub building: Building,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    pub writing: Writing,
+}
+
+impl Job {
+    /// Returns the number of threads.
+    pub fn threads(&self) -> usize {
+        match self.threads {
+            Some(n) => n.into(),
+            None => std::thread::available_parallelism().map_or(1, usize::from),
+        }
+    }
+
+    /// Reads points or a domain, which no output may overwrite.
+    pub fn read(
+        &self,
+        outputs: &Outputs,
+        progress: &Progress,
+    ) -> Result<(DomainData, Numbering), Failure> {
+        let (name, domain) = match self.open(outputs)? {
+            Some(input) => (input.name(), noted(input.domain(progress)?, progress)),
+            None => (SAMPLE.name().to_owned(), SAMPLE.draw()),
+        };
+        let numbering = Numbering::of(&name, &domain);
+        Ok((domain, numbering))
+    }
+
+    /// Reads a domain or a mesh, with its `.area` file if `takes_areas`; no output may overwrite it.
+    pub fn read_refinable(
+        &self,
+        outputs: &Outputs,
+        takes_areas: bool,
+        progress: &Progress,
+    ) -> Result<(Refinable, Numbering), Failure> {
+        let (name, refinable) = match self.open(outputs)? {
+            Some(input) => {
+                let read = input.refinable(takes_areas, progress)?;
+                (input.name(), noted(read, progress))
+            }
+            None => (SAMPLE.name().to_owned(), SAMPLE.draw().into()),
+        };
+        let numbering = Numbering::of(&name, &refinable.domain);
+        Ok((refinable, numbering))
+    }
+
+    /// Opens the input, if one is named.
+    fn open(&self, outputs: &Outputs) -> Result<Option<Input>, Failure> {
+        match &self.input {
+            Some(path) => {
+                let input = self.reading.open(path)?;
+                outputs.spare(&input.files())?;
+                Ok(Some(input))
+            }
+            None if self.reading.is_given() => {
+                let lacking = "--from and --columns are about INPUT, and none is named";
+                Err(Failure::Usage(lacking.to_owned()))
+            }
+            None => Ok(None),
+        }
+    }
+
+    /// Settles what is to be written, outputs with such a `mesh` and the report pages named; if nothing at all was
+    /// asked for, that is mesh and picture of the sample, and of a command that makes `reports` also
+    /// that page.
+    pub fn outputs(&self, mesh: Content, reports: Option<&[PathBuf]>) -> Result<Outputs, Failure> {
+        let meshes = self.output.iter().map(|o| (o.clone(), mesh));
+        let pictures = self.picture.iter().map(|p| (p.clone(), Content::Picture));
+        let pages = reports.into_iter().flatten();
+        let pages = pages.map(|page| (page.clone(), Content::Report));
+        let asked = self.writing.outputs(meshes.chain(pictures).chain(pages))?;
+        if asked.use_stdout() && self.json {
+            let clash = "--json and the output `-` both want standard output; name a file for one";
+            return Err(Failure::Usage(clash.to_owned()));
+        }
+        if asked.is_empty() && self.demonstrates() {
+            return self.demonstration(mesh, reports.is_some());
+        }
+        Ok(asked)
+    }
+
+    /// Tells whether no input, output or figure was asked for: somebody tries the program.
+    pub fn demonstrates(&self) -> bool {
+        let asks = self.json || self.picture.is_some() || !self.output.is_empty();
+        self.input.is_none() && !asks
+    }
+
+    /// What is left in the current folder then.
+    fn demonstration(&self, mesh: Content, makes_report: bool) -> Result<Outputs, Failure> {
+        let named = |extension: &str| Path::new(SAMPLE.name()).with_extension(extension);
+        let mut wanted = vec![(named("ele"), mesh), (named("png"), Content::Picture)];
+        if makes_report {
+            wanted.push((named("html"), Content::Report));
+        }
+        self.writing.outputs(wanted)
+    }
+}
+
+/// Takes what was read, and says what of it is left unused.
+fn noted<T>((read, unused): (T, Vec<String>), progress: &Progress) -> T {
+    progress.note(&unused);
+    read
+}

@@ -1,0 +1,133 @@
+//! What excuses a triangle that breaks a bound.
+
+use super::super::drift::unit;
+use super::super::graph::Dart;
+use super::corners::Corners;
+use super::{Found, SLACK, Shape};
+use crate::pace::Pace;
+use crate::{Angle, Broken, Error, Locked, VertexId};
+
+/// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
+const ROOM: f64 = 4096.0;
+
+/// Why a triangle could not be better.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Excuse {
+    /// Two segments meet at less than 60 degrees; the triangle has their corner, or its shortest edge
+    /// joins them.
+    SmallInputAngle {
+        /// The corner where they meet.
+        vertex: VertexId,
+        /// The two segments; numbers behind those of the input stand for edges of its convex hull.
+        segments: [usize; 2],
+        /// The angle between them.
+        angle: Angle,
+    },
+    /// An edge lies on a segment that must not be split.
+    Locked,
+    /// The shortest edge is below 2¹² units in the last place of the largest coordinate.
+    Precision,
+}
+
+/// Looks for excuses in a mesh.
+pub(super) struct Excuses<'e> {
+    found: &'e Found<'e>,
+    locked: Locked,
+    corners: Corners<'e>,
+}
+
+impl<'e> Excuses<'e> {
+    pub fn new(found: &'e Found<'e>, locked: Locked) -> Self {
+        Self {
+            found,
+            locked,
+            corners: Corners::new(found),
+        }
+    }
+
+    /// Finds what excuses all that a triangle breaks.
+    pub fn find(
+        &mut self,
+        vertices: [VertexId; 3],
+        broken: Broken,
+        shape: &Shape,
+        pace: &mut Pace,
+    ) -> Result<Option<Excuse>, Error> {
+        if !broken.edge && !broken.area {
+            let excuse = self.small_input_angle(vertices, shape, pace)?;
+            if excuse.is_some() {
+                return Ok(excuse);
+            }
+        }
+        let [a, b, c] = vertices;
+        Ok(
+            if [[a, b], [b, c], [c, a]]
+                .into_iter()
+                .any(|e| self.is_locked_between(e))
+            {
+                Some(Excuse::Locked)
+            } else {
+                let shortest = shape.edges.into_iter().fold(f64::INFINITY, f64::min);
+                self.lacks_room(&vertices, shortest)
+                    .then_some(Excuse::Precision)
+            },
+        )
+    }
+
+    /// Finds what excuses a subsegment for not having been split.
+    pub fn of_subsegment(&self, ends: [VertexId; 2]) -> Option<Excuse> {
+        let [a, b] = ends.map(|v| self.found.points[v.index()]);
+        if self.is_locked_between(ends) {
+            return Some(Excuse::Locked);
+        }
+        let length = (b.x - a.x).hypot(b.y - a.y);
+        self.lacks_room(&ends, length).then_some(Excuse::Precision)
+    }
+
+    /// Tells whether a dart must not be split.
+    pub fn is_locked(&self, dart: Dart) -> bool {
+        let Found { graph, area, .. } = *self.found;
+        match self.locked {
+            Locked::Nothing => false,
+            Locked::Boundary => area.is_left_of(dart) != area.is_left_of(dart.twin()),
+            Locked::Segments => graph.edges()[dart.edge()].is_subsegment,
+        }
+    }
+
+    fn is_locked_between(&self, ends: [VertexId; 2]) -> bool {
+        let graph = self.found.graph;
+        let [a, b] = ends.map(|v| graph.places.of(v));
+        graph.find(a, b).is_some_and(|dart| self.is_locked(dart))
+    }
+
+    fn lacks_room(&self, vertices: &[VertexId], length: f64) -> bool {
+        let points = vertices.iter().map(|v| self.found.points[v.index()]);
+        let largest = points.fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
+        length < ROOM * unit(largest)
+    }
+
+    /// Looks at the corners, and then at each edge that may be the shortest one.
+    fn small_input_angle(
+        &mut self,
+        vertices: [VertexId; 3],
+        shape: &Shape,
+        pace: &mut Pace,
+    ) -> Result<Option<Excuse>, Error> {
+        for v in vertices {
+            let excuse = self.corners.at(v, pace)?;
+            if excuse.is_some() {
+                return Ok(excuse);
+            }
+        }
+        let shortest = shape.edges.into_iter().fold(f64::INFINITY, f64::min);
+        for k in (0..3).filter(|&k| shape.edges[k] <= shortest * (1.0 + SLACK)) {
+            let ends = [vertices[(k + 1) % 3], vertices[(k + 2) % 3]];
+            let excuse = self.corners.joined_by(ends, pace)?;
+            if excuse.is_some() {
+                return Ok(excuse);
+            }
+        }
+        Ok(None)
+    }
+}

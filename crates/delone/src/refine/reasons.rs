@@ -1,0 +1,144 @@
+//! Which triangles do not meet the bounds, and why.
+
+use super::bounds::{Bounds, Shape};
+use super::canvas::Canvas;
+use super::corners::Corners;
+use super::{Reason, Unmet};
+use crate::check;
+use crate::{Angle, Broken, ConstrainedTriangulation, HalfEdgeId, Locked, TriangleId, VertexId};
+
+/// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
+const ROOM: f64 = 4096.0;
+
+/// The part by which an edge may be longer than the shortest one and count as that.
+const SLACK: f64 = 1e-9;
+
+/// Finds the triangles that break a bound, as they will be numbered: those of the domain in their order.
+pub(super) fn unmet(canvas: &Canvas, bounds: &Bounds) -> Vec<(TriangleId, Broken)> {
+    let faces = (0..canvas.mesh.num_faces()).map(TriangleId::new);
+    let domain = faces.filter(|&t| !canvas.traits(t).is_outside());
+    let has_sizes = bounds.has_sizes();
+    let broken = domain.enumerate().map(|(i, t)| {
+        let points = canvas.triangle(t);
+        let shape = Shape::of(points);
+        let [edge, area] = match has_sizes {
+            true => bounds.oversizes(points, &shape, canvas.region(t)),
+            false => [0.0; 2],
+        };
+        let broken = Broken {
+            angle: bounds.is_skinny(shape.squares, shape.cross),
+            edge: edge > 1.0,
+            area: area > 1.0,
+        };
+        (TriangleId::new(i), broken)
+    });
+    broken
+        .filter(|&(_, broken)| broken != Broken::default())
+        .collect()
+}
+
+/// Finds the reason of each.
+pub(super) fn explain(
+    mesh: &ConstrainedTriangulation,
+    unmet: Vec<(TriangleId, Broken)>,
+    locked: Locked,
+    is_stopped: bool,
+) -> Vec<Unmet> {
+    if unmet.is_empty() {
+        return Vec::new();
+    }
+    let mut why = Why {
+        mesh,
+        corners: Corners::of(mesh),
+        locked,
+        is_stopped,
+    };
+    let explained = unmet.into_iter().map(|(triangle, broken)| {
+        let corners = mesh.triangulation().triangles()[triangle.index()];
+        let shape = check::Shape::of(corners.map(|v| mesh.triangulation().point(v)));
+        Unmet {
+            triangle,
+            broken,
+            min_angle: Angle::degrees(shape.min_angle()),
+            reason: why.reason(triangle, broken, &shape),
+        }
+    });
+    explained.collect()
+}
+
+struct Why<'a> {
+    mesh: &'a ConstrainedTriangulation,
+    corners: Corners<'a>,
+    locked: Locked,
+    is_stopped: bool,
+}
+
+impl Why<'_> {
+    fn reason(&mut self, t: TriangleId, broken: Broken, shape: &check::Shape) -> Reason {
+        let corners = self.mesh.triangulation().triangles()[t.index()];
+        if broken.angle
+            && !broken.edge
+            && !broken.area
+            && let Some(reason) = self.small_input_angle(corners, shape)
+        {
+            return reason;
+        }
+        if t.half_edges().into_iter().any(|h| self.is_locked(h)) {
+            return Reason::LockedBoundary;
+        }
+        let points = corners.map(|v| self.mesh.triangulation().point(v));
+        let largest = points
+            .iter()
+            .fold(0.0, |m: f64, p| m.max(p.x.abs()).max(p.y.abs()));
+        if shortest(shape) < ROOM * unit(largest) {
+            return Reason::Precision;
+        }
+        match self.is_stopped {
+            true => Reason::Stopped,
+            false => Reason::Gradation,
+        }
+    }
+
+    fn is_locked(&self, h: HalfEdgeId) -> bool {
+        let is_boundary = || {
+            let twin = self.mesh.triangulation().mesh().twin(h);
+            twin.triangle().index() >= self.mesh.triangulation().num_triangles()
+        };
+        match self.locked {
+            Locked::Nothing => false,
+            Locked::Boundary => self.mesh.is_constrained(h) && is_boundary(),
+            Locked::Segments => self.mesh.is_constrained(h),
+        }
+    }
+
+    /// Looks for two segments that meet below 60 degrees: at a corner of the triangle, or through the ends
+    /// of its shortest edge. Where edges are as short as rounding can tell, each may be the shortest.
+    fn small_input_angle(
+        &mut self,
+        vertices: [VertexId; 3],
+        shape: &check::Shape,
+    ) -> Option<Reason> {
+        let corner = vertices.into_iter().find_map(|v| self.corners.at(v));
+        let most = shortest(shape) * (1.0 + SLACK);
+        corner.or_else(|| {
+            let mut slots = (0..3).filter(|&k| shape.edges[k] <= most);
+            slots.find_map(|k| {
+                let ends = [vertices[(k + 1) % 3], vertices[(k + 2) % 3]];
+                self.corners.joined_by(ends)
+            })
+        })
+    }
+}
+
+fn shortest(shape: &check::Shape) -> f64 {
+    shape.edges.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// The unit in the last place of a number that is not negative.
+fn unit(magnitude: f64) -> f64 {
+    let next = magnitude.next_up();
+    match next.is_finite() {
+        true => next - magnitude,
+        false => magnitude - magnitude.next_down(),
+    }
+}
