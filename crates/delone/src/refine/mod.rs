@@ -18,16 +18,17 @@
 //! | [`candidates`] | where a vertex could help |
 //! | [`lines`] | segments: where they are cut, and the chains they become |
 //! | [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
-//! | [`smooth`](mod@smooth), [`patch`] | vertices moved to better places afterwards |
+//! | [`relocate`] | vertices of the lattice moved instead of others added |
+//! | [`smooth`](mod@smooth) | vertices moved to better places afterwards |
+//! | [`patch`], [`worth`] | what a move changes, and whether that is worth it |
 //! | [`sizing`] | how large triangles may be, place by place |
 //! | [`thesis`] | the other strategy, which shares only the first and the last steps |
 //!
 //! # The loop
 //!
-//! Where one size is asked for everywhere, or in a whole region, no angle above 30°, and nothing is locked,
-//! a lattice is sown first: halving triangles until they are small enough leaves a third of the area
-//! unused, equilateral ones are as large as allowed. The loop then mends what lies along segments, and
-//! begins at once for all else.
+//! Where one size is asked for everywhere, or in a whole region, and nothing is locked, a lattice is sown
+//! first: halving triangles until they are small enough leaves a third of the area unused, equilateral ones
+//! are as large as allowed. The loop then mends what lies along segments, and begins at once for all else.
 //!
 //! ```text
 //! an encroached subsegment waits, the first of them    split it
@@ -35,6 +36,7 @@
 //!                                                      split that; else try its circumcenter
 //! a skinny triangle waits, that of the shortest edge   if its angle is the input's, or it is too small
 //!                                                        for the coordinates, leave it alone;
+//!                                                      else move a corner that was sown, if that helps;
 //!                                                      else try five candidates
 //! to try candidates, dig the cavity of each            the first encroaches upon a subsegment: split that
 //!                                                      some fit: insert the one that leaves the fewest
@@ -53,7 +55,9 @@
 //! 2⁻²⁵⁰ in [scaled](handing::scale) coordinates. A free vertex keeps it from every vertex that it sees:
 //! the nearest of those is on the rim of its cavity. A vertex on a segment keeps it from the ends of its
 //! subsegment. So a segment has room for finitely many; and infinitely many free ones would crowd somewhere
-//! between the finitely many segments, where some would see each other. Nothing is ever deleted, and every
+//! between the finitely many segments, where some would see each other. Nothing is ever deleted; vertices
+//! of the lattice move only where they keep the same distances, and a move leaves fewer bad triangles, so
+//! there are finitely many between two insertions; and every
 //! vertex adds finitely many elements to those that wait. Whatever is refused no longer waits, and returns
 //! only in a new triangle, or behind a vertex that was added for it. That is all: no bound on any angle
 //! enters. (There are finitely many `f64`, of course, so that any algorithm ends which never repeats
@@ -130,12 +134,14 @@ mod patch;
 mod queue;
 mod reasons;
 mod refiner;
+mod relocate;
 mod report;
 mod run;
 pub mod sizing;
 mod smooth;
 mod sow;
 mod thesis;
+mod worth;
 
 pub use budget::Budget;
 pub use report::{Outcome, Reason, Report, Unmet};

@@ -3,8 +3,10 @@
 //! A flip changes two faces and no others, so the faces that were touched cover the same part of the
 //! domain before and after, and putting them back undoes everything.
 
+use super::bounds::Bounds;
 use super::canvas::{Canvas, Traits};
-use crate::predicates::in_circle_perturbed;
+use super::worth::Worth;
+use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
 use crate::{HalfEdgeId, Point, TriangleId, VertexId};
 
 /// A face at some moment.
@@ -33,6 +35,7 @@ impl Face {
 }
 
 /// The faces that a move has touched so far.
+#[derive(Default)]
 pub(super) struct Patch {
     faces: Vec<Face>,
     /// The last move that touched each face.
@@ -43,28 +46,47 @@ pub(super) struct Patch {
 }
 
 impl Patch {
-    /// Makes an empty patch of a mesh with so many faces.
-    pub fn new(num_faces: usize) -> Self {
-        Self {
-            faces: Vec::new(),
-            touched: vec![0; num_faces],
-            moves: 0,
-            suspects: Vec::new(),
-        }
-    }
-
     /// Returns the faces as they were when the move began.
     pub fn faces(&self) -> &[Face] {
         &self.faces
     }
 
+    /// Moves the vertex from which `spoke` starts, flips edges after it, and keeps that if the faces that it
+    /// changes are worth it; else all is as it was. Tells which.
+    pub fn try_move(
+        &mut self,
+        canvas: &mut Canvas,
+        bounds: &Bounds,
+        spoke: HalfEdgeId,
+        to: Point,
+        is_worth_it: impl Fn(&Worth, &Worth) -> bool,
+    ) -> bool {
+        if !sees_its_star(canvas, spoke, to) {
+            return false;
+        }
+        self.begin(canvas, spoke);
+        let v = canvas.mesh.origin(spoke);
+        let from = std::mem::replace(&mut canvas.points[v.index()], to);
+        self.legalise(canvas);
+        let before = Worth::of(bounds, self.faces.iter().copied());
+        let after = self.faces.iter().map(|face| Face::of(canvas, face.id));
+        let after = Worth::of(bounds, after);
+        let is_kept = is_worth_it(&before, &after);
+        if !is_kept {
+            canvas.points[v.index()] = from;
+            self.undo(canvas);
+        }
+        is_kept
+    }
+
     /// Begins with the faces around the vertex from which `spoke` starts, before it moves.
-    pub fn begin(&mut self, canvas: &Canvas, spoke: HalfEdgeId) {
+    fn begin(&mut self, canvas: &Canvas, spoke: HalfEdgeId) {
         if self.moves == u32::MAX {
             self.touched.fill(0);
             self.moves = 0;
         }
         self.moves += 1;
+        self.touched.resize(canvas.mesh.num_faces(), 0);
         self.faces.clear();
         self.suspects.clear();
         for h in canvas.mesh.star(spoke) {
@@ -82,7 +104,7 @@ impl Patch {
     }
 
     /// Flips edges, now that the vertex has moved, until every one is constrained or locally Delaunay.
-    pub fn legalise(&mut self, canvas: &mut Canvas) {
+    fn legalise(&mut self, canvas: &mut Canvas) {
         while let Some(h) = self.suspects.pop() {
             if !must_flip(canvas, h) {
                 continue;
@@ -99,7 +121,7 @@ impl Patch {
     ///
     /// The last comes first: a face that was touched late may have been taken down with twins that a flip
     /// had already moved, in faces touched earlier, which know better.
-    pub fn undo(&self, canvas: &mut Canvas) {
+    fn undo(&self, canvas: &mut Canvas) {
         for face in self.faces.iter().rev() {
             canvas.mesh.replace_face(face.id, face.corners);
             canvas.traits[face.id.index()] = face.traits;
@@ -108,6 +130,15 @@ impl Patch {
             }
         }
     }
+}
+
+/// Tells whether all triangles around a vertex stay counter-clockwise if it goes to another place.
+fn sees_its_star(canvas: &Canvas, spoke: HalfEdgeId, to: Point) -> bool {
+    let mut rim = canvas.mesh.star(spoke).map(|h| canvas.ends(h.next()));
+    rim.all(|ends| {
+        let [a, b] = ends.map(|v| canvas.point(v));
+        orient2d(a, b, to) == Orientation::Left
+    })
 }
 
 fn must_flip(canvas: &Canvas, h: HalfEdgeId) -> bool {

@@ -7,6 +7,7 @@ use super::candidates::{Candidates, circumcenter};
 use super::canvas::{Canvas, Traits};
 use super::cavity::Cavity;
 use super::lines::{Culprit, Lines, Nature, distance};
+use super::patch::Patch;
 use super::queue::Queue;
 use crate::predicates::{Orientation, in_circle_perturbed, is_between, orient2d};
 use crate::{HalfEdgeId, Point, TriangleId, VertexId};
@@ -45,6 +46,10 @@ pub(super) struct Refiner<'a> {
     /// The cavity of the best candidate so far, and of the one that is looked at.
     best: Cavity,
     spare: Cavity,
+    /// Whether vertices that were there at the beginning are of a lattice.
+    pub sown: Vec<bool>,
+    is_sown: bool,
+    pub(super) patch: Patch,
 }
 
 /// A subsegment that has to be split.
@@ -88,7 +93,7 @@ enum Motive {
 }
 
 impl<'a> Refiner<'a> {
-    pub fn new(canvas: Canvas, bounds: Bounds<'a>, locked: Locked) -> Self {
+    pub fn new(canvas: Canvas, sown: Vec<bool>, bounds: Bounds<'a>, locked: Locked) -> Self {
         let base = feature_sizes(&canvas);
         let mut refiner = Self {
             candidates: Candidates::new(bounds.min_angle),
@@ -102,6 +107,9 @@ impl<'a> Refiner<'a> {
             skinny: Queue::new(),
             best: Cavity::default(),
             spare: Cavity::default(),
+            is_sown: sown.contains(&true),
+            sown,
+            patch: Patch::default(),
         };
         let faces = (0..refiner.canvas.mesh.num_faces()).map(TriangleId::new);
         for t in faces {
@@ -384,7 +392,10 @@ impl<'a> Refiner<'a> {
         }
         let points = self.canvas.triangle(t);
         let shape = Shape::of(points);
-        let [edge, _] = self.bounds.oversizes(points, &shape, self.canvas.region(t));
+        let [edge, area] = self.bounds.oversizes(points, &shape, self.canvas.region(t));
+        if edge.max(area) <= 1.0 {
+            return Step::Passed;
+        }
         let longest = t.half_edges()[shape.longest().0];
         let step = if edge > 1.0 && self.canvas.is_constrained(longest) {
             self.split(longest, None, 0.0, None)
@@ -397,6 +408,24 @@ impl<'a> Refiner<'a> {
         step
     }
 
+    /// Looks at a triangle whose corners have changed or moved.
+    pub(super) fn reexamine(&mut self, t: TriangleId) {
+        self.canvas.set_skinny(t, false);
+        if !self.canvas.traits(t).is_outside() {
+            self.examine(t, true);
+        }
+    }
+
+    /// Tells whether a vertex belongs to a lattice.
+    pub(super) fn is_sown(&self, v: VertexId) -> bool {
+        self.sown.get(v.index()) == Some(&true)
+    }
+
+    /// Returns the feature size of where the ancestors of a vertex come from.
+    pub(super) fn base(&self, v: VertexId) -> f64 {
+        self.base[v.index()]
+    }
+
     /// Lets a triangle queue up again if it has survived.
     fn requeue(&mut self, t: TriangleId, corners: [VertexId; 3]) {
         if self.canvas.mesh.corners(t) == corners {
@@ -407,6 +436,9 @@ impl<'a> Refiner<'a> {
     /// Makes a skinny triangle vanish, unless it has vanished or is left alone.
     fn improve(&mut self, t: TriangleId, corners: [VertexId; 3]) -> Step {
         if self.canvas.mesh.corners(t) != corners || !self.canvas.traits(t).is_skinny() {
+            return Step::Passed;
+        }
+        if self.is_sown && self.relocate(t) {
             return Step::Passed;
         }
         let step = self.open(t, true);
@@ -617,7 +649,7 @@ impl<'a> Refiner<'a> {
     }
 
     /// Returns which part of the feature size vertices keep away from others.
-    fn gradation(&self) -> f64 {
+    pub(super) fn gradation(&self) -> f64 {
         match self.locked {
             Locked::Nothing => GRADATION,
             _ => GRADATION_LOCKED,

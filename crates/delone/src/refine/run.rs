@@ -41,12 +41,12 @@ pub(super) fn refine(
     );
     let sown = handing::are_sown(&prepared);
     let (canvas, context) = handing::canvas(prepared, scale);
-    let mut refiner = Refiner::new(canvas, bounds, refinement.locked);
+    let mut refiner = Refiner::new(canvas, sown, bounds, refinement.locked);
     let start = Instant::now();
     let stopped = work_off(&mut refiner, refinement, start);
     let ended = match stopped {
         Some(Outcome::Cancelled) => stopped,
-        _ => smooth(&mut refiner, &sown, refinement, start).or(stopped),
+        _ => smooth(&mut refiner, refinement, start).or(stopped),
     };
     let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds);
     let Refiner { canvas, lines, .. } = refiner;

@@ -16,19 +16,16 @@
 //! lift it to 50.2°. *Does not* make triangles that
 //! break a bound obey it, though it may happen.
 
-use super::bounds::{Bounds, Shape};
+use super::bounds::Bounds;
 use super::canvas::Canvas;
-use super::lines::Lines;
-use super::patch::{Face, Patch};
+use super::lines::{Lines, distance};
+use super::patch::Patch;
 use super::refiner::Refiner;
+use super::relocate::toward_centers;
+use super::worth::Worth;
 use super::{Outcome, Refinement};
-use crate::predicates::{Orientation, orient2d};
 use crate::{HalfEdgeId, Phase, Point, TriangleId, VertexId};
 use std::time::Instant;
-
-/// The squared sine of 30 degrees. Whatever the bound, an angle below stays the smallest one around only
-/// if it grows.
-const MODEST: f64 = 0.25;
 
 /// Moves shorter than this part of the shortest edge, squared, are not worth the work.
 const SHORTEST_MOVE: f64 = 1e-6;
@@ -40,7 +37,6 @@ const STRIDE: usize = 1 << 10;
 /// watch has cancelled. `sown` says of the vertices that were there when refinement began which are free.
 pub(super) fn smooth(
     refiner: &mut Refiner,
-    sown: &[bool],
     refinement: &Refinement,
     start: Instant,
 ) -> Option<Outcome> {
@@ -48,7 +44,12 @@ pub(super) fn smooth(
         return None;
     }
     let (watch, time) = (refinement.watch, refinement.budget.time);
-    let mut smoother = Smoother::new(&mut refiner.canvas, &refiner.lines, sown, &refiner.bounds);
+    let mut smoother = Smoother::new(
+        &mut refiner.canvas,
+        &refiner.lines,
+        &refiner.sown,
+        &refiner.bounds,
+    );
     let free = smoother.num_free();
     let total = (free as u64).saturating_mul(refinement.smoothing as u64);
     let mut done = 0;
@@ -75,21 +76,6 @@ pub(super) fn smooth(
     None
 }
 
-/// What some triangles are like.
-#[derive(Clone, Copy, Debug)]
-struct Worth {
-    /// The sum over triangles of area divided by squared lengths of edges.
-    quality: f64,
-    /// The squared sine of the smallest angle.
-    sine: f64,
-    /// How many break a bound.
-    broken: usize,
-    /// By how much the worst of them is too large.
-    oversize: f64,
-    /// How many are too close to one of their own segments.
-    encroached: usize,
-}
-
 /// Moves vertices of a canvas.
 struct Smoother<'a> {
     canvas: &'a mut Canvas,
@@ -99,7 +85,6 @@ struct Smoother<'a> {
     spokes: Vec<HalfEdgeId>,
     /// Whether a vertex has found no better place, and nothing around it has changed since.
     settled: Vec<bool>,
-    has_sizes: bool,
     patch: Patch,
 }
 
@@ -114,8 +99,7 @@ impl<'a> Smoother<'a> {
             free: all.filter(is_free).collect(),
             spokes: vec![HalfEdgeId::new(0); canvas.points.len()],
             settled: vec![false; canvas.points.len()],
-            has_sizes: bounds.has_sizes(),
-            patch: Patch::new(canvas.mesh.num_faces()),
+            patch: Patch::default(),
             canvas,
             bounds,
         };
@@ -148,39 +132,26 @@ impl<'a> Smoother<'a> {
 
     /// Returns how far the best place is away; `None` if that is not worth the work.
     fn way(&self, v: VertexId) -> Option<[f64; 2]> {
-        let at = self.canvas.point(v);
-        let (mut sum, mut doubled_area, mut shortest) = ([0.0; 2], 0.0, f64::INFINITY);
-        for h in self.canvas.mesh.star(self.spokes[v.index()]) {
-            let ends = [h, h.next()].map(|h| self.canvas.point(self.canvas.mesh.dest(h)));
-            let [[bx, by], [cx, cy]] = ends.map(|p| [p.x - at.x, p.y - at.y]);
-            let [b, c] = [bx * bx + by * by, cx * cx + cy * cy];
-            // The circumcenter, times four times the area.
-            sum[0] += cy * b - by * c;
-            sum[1] += bx * c - cx * b;
-            doubled_area += bx * cy - by * cx;
-            shortest = b.min(shortest);
-        }
-        let way = sum.map(|s| s / (2.0 * doubled_area));
+        let (mesh, at) = (&self.canvas.mesh, self.canvas.point(v));
+        let to = |h| {
+            let p = self.canvas.point(mesh.dest(h));
+            [p.x - at.x, p.y - at.y]
+        };
+        let star = || mesh.star(self.spokes[v.index()]);
+        let way = toward_centers(star().map(|h| [to(h), to(h.next())]));
+        let neighbors = star().map(|h| distance(self.canvas.point(mesh.dest(h)), at));
+        let shortest = neighbors.fold(f64::INFINITY, f64::min);
         let squared = way[0] * way[0] + way[1] * way[1];
         // Written so that what is no number is no way.
-        (squared > SHORTEST_MOVE * shortest && squared < f64::INFINITY).then_some(way)
+        (squared > SHORTEST_MOVE * shortest * shortest && squared < f64::INFINITY).then_some(way)
     }
 
     /// Moves a vertex, unless that makes the mesh worse.
     fn try_move(&mut self, v: VertexId, to: Point) -> bool {
         let spoke = self.spokes[v.index()];
-        if !self.sees_its_star(spoke, to) {
-            return false;
-        }
-        self.patch.begin(self.canvas, spoke);
-        let from = std::mem::replace(&mut self.canvas.points[v.index()], to);
-        self.patch.legalise(self.canvas);
-        let before = self.worth(self.patch.faces().iter().copied());
-        let after = self.patch.faces().iter();
-        let after = self.worth(after.map(|face| Face::of(self.canvas, face.id)));
-        if !after.is_better_than(&before) {
-            self.canvas.points[v.index()] = from;
-            self.patch.undo(self.canvas);
+        let is_better = |before: &Worth, after: &Worth| after.is_better_than(before);
+        let (canvas, bounds) = (&mut *self.canvas, self.bounds);
+        if !self.patch.try_move(canvas, bounds, spoke, to, is_better) {
             return false;
         }
         for i in 0..self.patch.faces().len() {
@@ -193,16 +164,6 @@ impl<'a> Smoother<'a> {
         true
     }
 
-    /// Tells whether all triangles around a vertex stay counter-clockwise if it goes there.
-    fn sees_its_star(&self, spoke: HalfEdgeId, to: Point) -> bool {
-        let mesh = &self.canvas.mesh;
-        let mut rim = mesh.star(spoke).map(|h| self.canvas.ends(h.next()));
-        rim.all(|ends| {
-            let [a, b] = ends.map(|v| self.canvas.point(v));
-            orient2d(a, b, to) == Orientation::Left
-        })
-    }
-
     fn note_spokes(&mut self, t: TriangleId) {
         for h in t.half_edges() {
             let v = self.canvas.mesh.origin(h);
@@ -210,64 +171,5 @@ impl<'a> Smoother<'a> {
                 self.spokes[v.index()] = h;
             }
         }
-    }
-
-    fn worth(&self, faces: impl Iterator<Item = Face>) -> Worth {
-        let mut worth = Worth::default();
-        for face in faces {
-            let shape = Shape::of(face.points);
-            let oversize = match self.has_sizes {
-                true => self.bounds.oversize(face.points, &shape, face.region),
-                false => 0.0,
-            };
-            let is_broken = oversize > 1.0 || self.bounds.is_skinny(shape.squares, shape.cross);
-            worth.add(&shape, oversize, is_broken);
-            worth.encroached += usize::from(self.is_encroached(&face));
-        }
-        worth
-    }
-
-    /// Tells whether the triangle is too close to one of its own segments.
-    fn is_encroached(&self, face: &Face) -> bool {
-        let [a, b, c] = face.points;
-        let edges = [([b, c], a), ([c, a], b), ([a, b], c)];
-        let mut segments = (0..3).filter(|&k| face.traits.is_constrained(k));
-        segments.any(|k| self.bounds.encroaches(edges[k].0, edges[k].1))
-    }
-}
-
-impl Default for Worth {
-    /// Makes that of no triangles.
-    fn default() -> Self {
-        Self {
-            quality: 0.0,
-            sine: 1.0,
-            broken: 0,
-            oversize: 0.0,
-            encroached: 0,
-        }
-    }
-}
-
-impl Worth {
-    fn add(&mut self, shape: &Shape, oversize: f64, is_broken: bool) {
-        let [a, b, c] = shape.squares;
-        let [low, high] = [a.min(b), a.max(b)];
-        self.quality += shape.cross / (a + b + c);
-        self.sine = self
-            .sine
-            .min(shape.cross * shape.cross / (high * low.max(c)));
-        self.broken += usize::from(is_broken);
-        self.oversize = self.oversize.max(oversize);
-    }
-
-    /// Tells whether as many triangles are better on average, and none for the price of a bound.
-    fn is_better_than(&self, before: &Self) -> bool {
-        // With a margin, so that rounding makes no vertex wander for ever.
-        self.quality > before.quality * (1.0 + 1e-9)
-            && self.broken <= before.broken
-            && self.encroached <= before.encroached
-            && self.sine >= before.sine.min(MODEST)
-            && (self.broken == 0 || self.sine >= before.sine && self.oversize <= before.oversize)
     }
 }

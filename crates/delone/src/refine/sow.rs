@@ -13,7 +13,7 @@
 
 use super::lines::distance;
 use crate::constrained::{Additions, Prepared};
-use crate::{Angle, HalfEdgeId, Point, Quality, TriangleId};
+use crate::{HalfEdgeId, Point, Quality, TriangleId};
 
 /// The lattice's triangles are so much smaller than allowed, so that shaking does not make them too large.
 const FILLED: f64 = 0.985;
@@ -25,9 +25,6 @@ const NARROW: f64 = 1.0 / 16.0;
 const SHAKEN: f64 = 1e-4;
 /// Fewer triangles are not worth a lattice; more would take memory and seconds before anybody is asked.
 const WORTHWHILE: std::ops::Range<f64> = 64.0..3e7;
-/// A vertex put into a lattice makes angles of 30 degrees. If these are too small, one calls for the next,
-/// until nothing of the lattice is left.
-const LARGEST_ANGLE: Angle = Angle::degrees(30.0);
 /// The area of an equilateral triangle of side 1, and its height.
 const AREA: f64 = 0.433_012_701_892_219_3;
 const HEIGHT: f64 = 0.866_025_403_784_438_6;
@@ -35,9 +32,6 @@ const HEIGHT: f64 = 0.866_025_403_784_438_6;
 /// Says which vertices give refinement a head start; `None` if sizes are not bounded, or if they are more than
 /// there is `room` for.
 pub(super) fn sow(prepared: &Prepared, quality: &Quality, room: usize) -> Option<Additions> {
-    if quality.min_angle.is_some_and(|angle| angle > LARGEST_ANGLE) {
-        return None;
-    }
     let plan = Plan::new(prepared, quality)?;
     let mut sizes: Vec<f64> = plan
         .sides
