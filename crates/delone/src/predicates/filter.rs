@@ -74,7 +74,20 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Orderi
     let al = ax * ax + ay * ay;
     let bl = bx * bx + by * by;
     let cl = cx * cx + cy * cy;
-    let det = al * (bx * cy - by * cx) + bl * (cx * ay - cy * ax) + cl * (ax * by - ay * bx);
+    in_circle_relative(
+        [al, bl, cl],
+        [bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx],
+    )
+}
+
+/// [`in_circle`] for callers who have the squared lengths of a, b, c relative to d, and the cross products
+/// b × c, c × a, a × b.
+#[inline(always)]
+pub(crate) fn in_circle_relative(
+    [al, bl, cl]: [f64; 3],
+    [bc, ca, ab]: [f64; 3],
+) -> Option<Ordering> {
+    let det = al * bc + bl * ca + cl * ab;
     let bound = IN_CIRCLE_BOUND * (al * bl + bl * cl + cl * al);
     if al > LIFT_FLOOR && bl > LIFT_FLOOR && cl > LIFT_FLOOR {
         certain(det, bound)

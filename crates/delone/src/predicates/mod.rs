@@ -29,7 +29,7 @@ mod polynomial;
 mod quotient;
 pub mod stage;
 
-pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
+pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND, in_circle_relative};
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -594,48 +594,37 @@ impl<'a> Refiner<'a> {
     /// Walks around the cavity of `c`.
     #[inline]
     fn survey(&self, cavity: &Cavity, c: Point, floor: f64) -> Verdict {
-        let skinny = cavity
-            .faces
-            .iter()
-            .filter(|&&f| self.canvas.traits(f).is_skinny());
-        let mut gain = -(skinny.count() as i32);
+        let mut gain = -cavity.skinny;
         let mut spacing = f64::INFINITY;
         let mut blocked: Option<(bool, HalfEdgeId)> = None;
         let mut also = None;
         let mut is_hidden = false;
-        let last = cavity.rim.last().expect("bug: a cavity has a rim");
-        let mut a = self.canvas.point(last.origin);
-        let [mut ax, mut ay] = [a.x - c.x, a.y - c.y];
-        let mut al = ax * ax + ay * ay;
-        let n = cavity.rim.len();
-        let mut rim = cavity.rim[n - 1];
-        for i in 0..n {
-            let next = cavity.rim[i];
-            let b = self.canvas.point(next.origin);
-            let [bx, by] = [b.x - c.x, b.y - c.y];
-            let bl = bx * bx + by * by;
-            let [ex, ey] = [bx - ax, by - ay];
-            let cross = ax * by - ay * bx;
-            if cross <= 4.0 * f64::EPSILON * (al + bl) && orient2d(a, b, c) != Orientation::Left {
+        let mut edge = cavity.rim.last().expect("bug: a cavity has a rim");
+        for next in &cavity.rim {
+            let (a, b, cross) = (edge.from, next.from, edge.cross);
+            let [al, bl] = [a.square, b.square];
+            let ends = || [edge.origin, next.origin].map(|v| self.canvas.point(v));
+            if cross <= 4.0 * f64::EPSILON * (al + bl) && !is_left(ends(), c) {
                 is_hidden = true;
-                if rim.is_constrained()
+                if edge.is_constrained()
                     && blocked.is_none_or(|(is_behind, _)| !is_behind)
-                    && !self.is_locked(rim.outer)
+                    && !self.is_locked(edge.outer)
                 {
-                    blocked = Some((true, rim.outer));
+                    blocked = Some((true, edge.outer));
                 }
-            } else if rim.is_constrained()
-                && self.bounds.encroaches([a, b], c)
-                && !self.is_locked(rim.outer)
+            } else if edge.is_constrained()
+                && self.bounds.encroaches(ends(), c)
+                && !self.is_locked(edge.outer)
             {
                 match blocked {
-                    None => blocked = Some((false, rim.outer)),
-                    Some(_) => also = Some(rim.outer),
+                    None => blocked = Some((false, edge.outer)),
+                    Some(_) => also = Some(edge.outer),
                 }
             }
+            let [ex, ey] = [b.x - a.x, b.y - a.y];
             gain += i32::from(self.bounds.is_skinny([al, bl, ex * ex + ey * ey], cross));
             spacing = spacing.min(bl);
-            (a, ax, ay, al, rim) = (b, bx, by, bl, next);
+            edge = next;
         }
         if let Some((is_behind, outer)) = blocked {
             return Verdict::Blocked(outer, also.filter(|_| !is_behind));
@@ -673,6 +662,11 @@ impl<'a> Refiner<'a> {
         self.base.push(base);
         v
     }
+}
+
+/// Tells whether `p` lies strictly to the left of the edge from `a` to `b`.
+fn is_left([a, b]: [Point; 2], p: Point) -> bool {
+    orient2d(a, b, p) == Orientation::Left
 }
 
 /// Where a vertex may split an edge.
