@@ -623,7 +623,7 @@ impl<'a> Refiner<'a> {
             }
             let [ex, ey] = [b.x - a.x, b.y - a.y];
             gain += i32::from(self.bounds.is_skinny([al, bl, ex * ex + ey * ey], cross));
-            spacing = spacing.min(bl);
+            spacing = if bl < spacing { bl } else { spacing };
             edge = next;
         }
         if let Some((is_behind, outer)) = blocked {
