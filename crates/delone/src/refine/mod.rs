@@ -17,7 +17,7 @@
 //! | [`bounds`], [`queue`] | what is bad, and what comes next |
 //! | [`candidates`] | where a vertex could help |
 //! | [`lines`] | segments: where they are cut, and the chains they become |
-//! | [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
+//! | [`refined`], [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
 //! | [`smooth`](mod@smooth), [`patch`] | vertices moved to better places afterwards |
 //! | [`sizing`] | how large triangles may be, place by place |
 //! | [`thesis`] | the other strategy, which shares only the first and the last steps |
@@ -129,6 +129,7 @@ mod lines;
 mod patch;
 mod queue;
 mod reasons;
+mod refined;
 mod refiner;
 mod report;
 mod run;
@@ -138,14 +139,12 @@ mod sow;
 mod thesis;
 
 pub use budget::Budget;
+pub use refined::RefinedMesh;
 pub use report::{Outcome, Reason, Report, Unmet};
 pub use sizing::SizingField;
 
 use crate::constrained::{Options, prepare};
-use crate::{
-    ConstrainedTriangulation, DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy,
-    Watch, parallel,
-};
+use crate::{DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy, Watch, parallel};
 
 /// When a segment has to be split because a vertex is too close to it, a vertex that sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -189,7 +188,7 @@ pub enum Strategy {
 ///
 /// assert_eq!(refined.report.outcome, Outcome::Complete);
 /// assert!(refined.report.unmet.is_empty());
-/// assert!(refined.report.statistics.min_angle >= 30.0);
+/// assert!(refined.statistics().min_angle >= 30.0);
 /// assert!(refined.mesh.chain(4).len() > 4); // vertices along the slit
 ///
 /// // Whoever does not trust the report may have it proven from the triangles alone.
@@ -228,16 +227,6 @@ pub struct Refinement<'a> {
     options: Options,
     threads: Option<usize>,
     watch: &'a dyn Watch,
-}
-
-/// A refined mesh, and what it is like.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct RefinedMesh {
-    /// The mesh: vertices that were added come behind those of the input and the crossings.
-    pub mesh: ConstrainedTriangulation,
-    /// What was reached.
-    pub report: Report,
 }
 
 impl<'a> Refinement<'a> {
