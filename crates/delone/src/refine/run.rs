@@ -48,7 +48,7 @@ pub(super) fn refine(
         Some(Outcome::Cancelled) => stopped,
         _ => smooth(&mut refiner, &sown, refinement, start).or(stopped),
     };
-    let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds);
+    let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds, workers);
     let Refiner { canvas, lines, .. } = refiner;
     // From here on the work is done: whoever cancels gets what there is.
     let watch = Unstoppable(refinement.watch);
