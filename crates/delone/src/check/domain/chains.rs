@@ -12,8 +12,9 @@
 //! wrong between them: whoever knows the chains should [say so](super::DomainMesh::with_chains).
 //! Only the chains of the hull are known for sure: to the right of them there is nothing.
 //!
-//! *Cost*: O(log d) for a step from a place with d subsegments, more only where segments run beside
-//! each other within the drift; all attempts beyond these together are limited by the size of the graph.
+//! *Cost*: O(log d) for a step from a place with d subsegments, O(d) for one along the hull; more only where
+//! segments run beside each other within the drift, and all attempts beyond these together are limited by
+//! the size of the graph.
 
 use super::bends::Bends;
 use super::drift::Corridor;
@@ -62,10 +63,10 @@ impl Chains {
             pace.step()?;
             let ends = ends.map(|v| graph.places.of(v));
             let track = Track::new(graph, ends, is_refined);
-            let broken = match claimed(index) {
-                _ if index >= num_drawn => finder.go_round(&track, pace)?,
-                Some(chain) => finder.accept(&track, chain, pace)?,
-                None => finder.search(&track, pace)?,
+            let broken = match (index < num_drawn).then(|| claimed(index)) {
+                Some(Some(chain)) => finder.accept(&track, chain, pace)?,
+                Some(None) => finder.search(&track, pace)?,
+                None => finder.go_round(&track, pace)?,
             };
             match broken {
                 Some(place) => finder.chains.broken.push((index, place)),
