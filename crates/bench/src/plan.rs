@@ -10,7 +10,7 @@ use crate::engines::Engine;
 use crate::expected::Expected;
 use crate::job::{Answer, Job};
 use crate::measure::Run;
-use crate::process::Outcome;
+use crate::process::{Fault, Launcher};
 use crate::subject::{Subject, Task};
 use std::time::Duration;
 
@@ -50,15 +50,8 @@ pub enum Verdict {
         /// Triangles that there must be.
         expected: usize,
     },
-    /// The engine did not get through.
-    Failed {
-        /// The kind of failure, in a word or two.
-        how: String,
-        /// What the process said.
-        message: String,
-    },
-    /// The engine took longer than allowed.
-    TimedOut(Duration),
+    /// There is no result, or none that counts.
+    Faulty(Fault),
 }
 
 /// All about one engine on one input.
@@ -88,11 +81,14 @@ impl Cell {
 /// Does a job, wherever and however.
 pub trait Worker {
     /// Runs `job`, for no longer than `timeout`.
-    fn run(&self, job: Job, timeout: Duration) -> Outcome<Answer>;
+    ///
+    /// # Errors
+    /// What became of it, if it does not answer.
+    fn run(&self, job: Job, timeout: Duration) -> Result<Answer, Fault>;
 }
 
-impl Worker for crate::process::Launcher {
-    fn run(&self, job: Job, timeout: Duration) -> Outcome<Answer> {
+impl Worker for Launcher {
+    fn run(&self, job: Job, timeout: Duration) -> Result<Answer, Fault> {
         self.answer(&job.to_args(), timeout)
     }
 }
@@ -143,21 +139,20 @@ impl Plan {
             verify: true,
             ..self.job(cell)
         };
-        match worker.run(job, self.timeout) {
-            Outcome::Done(answer) => judge(&answer, our_hash),
-            Outcome::Failed { how, message } => Verdict::Failed { how, message },
-            Outcome::TimedOut(limit) => Verdict::TimedOut(limit),
-        }
+        let answer = worker.run(job, self.timeout);
+        let verdict = answer.and_then(|answer| judge(&answer, our_hash));
+        verdict.unwrap_or_else(Verdict::Faulty)
     }
 
     /// Lets the engines take turns, so that a slow minute of the machine hits all of them.
     fn time_fresh(&self, worker: &impl Worker, group: &mut [Cell]) {
         for round in 0..self.warmups + self.runs {
             for cell in group.iter_mut().filter(|cell| cell.is_timed()) {
-                let outcome = worker.run(self.job(cell), self.timeout);
-                let runs = runs_or_verdict(outcome, &mut cell.verdict);
-                cell.fresh
-                    .extend(runs.into_iter().filter(|_| round >= self.warmups));
+                match worker.run(self.job(cell), self.timeout) {
+                    Ok(answer) if round >= self.warmups => cell.fresh.extend(answer.runs),
+                    Ok(_) => (),
+                    Err(fault) => cell.verdict = Verdict::Faulty(fault),
+                }
             }
         }
     }
@@ -171,8 +166,10 @@ impl Plan {
                 repeats: self.repeats,
                 ..self.job(cell)
             };
-            let outcome = worker.run(job, self.timeout * self.repeats as u32);
-            cell.repeated = runs_or_verdict(outcome, &mut cell.verdict);
+            match worker.run(job, self.timeout * self.repeats as u32) {
+                Ok(answer) => cell.repeated = answer.runs,
+                Err(fault) => cell.verdict = Verdict::Faulty(fault),
+            }
         }
     }
 
@@ -193,60 +190,49 @@ fn timed_out_before(cell: &Cell, before: &[Cell]) -> Option<Verdict> {
         other.engine == cell.engine
             && other.subject == cell.subject
             && other.size <= cell.size
-            && matches!(other.verdict, Verdict::TimedOut(_))
+            && matches!(other.verdict, Verdict::Faulty(Fault::TimedOut(_)))
     });
     hung.map(|other| other.verdict.clone())
 }
 
-/// Judges a verified answer. Whoever names its set of triangles must name the same one.
-fn judge(answer: &Answer, our_hash: &mut Option<String>) -> Verdict {
-    let Some(run) = answer.runs.first() else {
-        return failed("no answer", "the check reported nothing");
-    };
-    if let Some(fault) = answer.expected.and_then(|expected| fault(run, expected)) {
-        return fault;
-    }
-    match (&run.hash, &*our_hash) {
-        (Some(hash), Some(first)) if hash != first => failed(
-            "differs",
-            &format!("hash {hash}, but with other threads {first}"),
-        ),
-        (Some(hash), None) => {
-            *our_hash = Some(hash.clone());
-            Verdict::Right
+/// Judges a verified answer.
+fn judge(answer: &Answer, our_hash: &mut Option<String>) -> Result<Verdict, Fault> {
+    let run = answer.runs.first().ok_or_else(Fault::silence)?;
+    if let Some(expected) = answer.expected {
+        if run.triangles != expected.triangles {
+            return Ok(Verdict::Wrong {
+                triangles: run.triangles,
+                expected: expected.triangles,
+            });
         }
-        _ => Verdict::Right,
+        require_segments(run, expected)?;
     }
+    agree(run.hash.as_deref(), our_hash)?;
+    Ok(Verdict::Right)
 }
 
-fn fault(run: &Run, expected: Expected) -> Option<Verdict> {
-    if run.triangles != expected.triangles {
-        return Some(Verdict::Wrong {
-            triangles: run.triangles,
-            expected: expected.triangles,
-        });
-    }
-    let found = run.constrained?;
+fn require_segments(run: &Run, expected: Expected) -> Result<(), Fault> {
     let wanted = expected.constrained;
-    let message = format!("{found} constrained edges instead of {wanted}");
-    (found != wanted).then(|| failed("segments", &message))
-}
-
-fn failed(how: &str, message: &str) -> Verdict {
-    Verdict::Failed {
-        how: how.to_owned(),
-        message: message.to_owned(),
+    match run.constrained {
+        Some(found) if found != wanted => {
+            let message = format!("{found} constrained edges instead of {wanted}");
+            Err(Fault::failed("segments", message))
+        }
+        _ => Ok(()),
     }
 }
 
-/// Returns the runs of an answer; whatever else came of it becomes the verdict.
-fn runs_or_verdict(outcome: Outcome<Answer>, verdict: &mut Verdict) -> Vec<Run> {
-    *verdict = match outcome {
-        Outcome::Done(answer) => return answer.runs,
-        Outcome::Failed { how, message } => Verdict::Failed { how, message },
-        Outcome::TimedOut(limit) => Verdict::TimedOut(limit),
-    };
-    Vec::new()
+/// Requires that whoever names its set of triangles names the same one on any number of threads; the
+/// first one is kept.
+pub(crate) fn agree(hash: Option<&str>, first: &mut Option<String>) -> Result<(), Fault> {
+    let Some(hash) = hash else { return Ok(()) };
+    match first.get_or_insert_with(|| hash.to_owned()) {
+        first if first == hash => Ok(()),
+        first => {
+            let message = format!("hash {hash}, but with other threads {first}");
+            Err(Fault::failed("differs", message))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -256,26 +242,26 @@ mod tests {
     use crate::expected::Expected;
     use crate::job::{Answer, Job};
     use crate::measure::{Cost, Run};
-    use crate::process::Outcome;
+    use crate::process::Fault;
     use crate::subject::{Subject, Task};
     use delone_samples::{Distribution, Domain};
     use std::cell::RefCell;
     use std::time::Duration;
 
     /// Answers from thin air and remembers what it was asked.
-    struct Script<F: Fn(Job) -> Outcome<Answer>> {
+    struct Script<F: Fn(Job) -> Result<Answer, Fault>> {
         answer: F,
         asked: RefCell<Vec<Job>>,
     }
 
-    impl<F: Fn(Job) -> Outcome<Answer>> Worker for Script<F> {
-        fn run(&self, job: Job, _: Duration) -> Outcome<Answer> {
+    impl<F: Fn(Job) -> Result<Answer, Fault>> Worker for Script<F> {
+        fn run(&self, job: Job, _: Duration) -> Result<Answer, Fault> {
             self.asked.borrow_mut().push(job);
             (self.answer)(job)
         }
     }
 
-    fn done(job: Job, triangles: usize, hash: &str) -> Outcome<Answer> {
+    fn done(job: Job, triangles: usize, hash: &str) -> Result<Answer, Fault> {
         let run = Run {
             cost: Cost {
                 seconds: 1.0,
@@ -287,7 +273,7 @@ mod tests {
             constrained: None,
             hash: (job.verify && job.engine.is_ours()).then(|| hash.to_owned()),
         };
-        Outcome::Done(Answer {
+        Ok(Answer {
             runs: vec![run; job.repeats],
             expected: job.verify.then_some(Expected {
                 triangles: 7,
@@ -298,7 +284,7 @@ mod tests {
 
     fn carry_out(
         engines: &[Engine],
-        answer: impl Fn(Job) -> Outcome<Answer>,
+        answer: impl Fn(Job) -> Result<Answer, Fault>,
     ) -> (Vec<Cell>, Vec<Job>) {
         carry_out_on(Distribution::Uniform.into(), engines, answer)
     }
@@ -306,7 +292,7 @@ mod tests {
     fn carry_out_on(
         subject: Subject,
         engines: &[Engine],
-        answer: impl Fn(Job) -> Outcome<Answer>,
+        answer: impl Fn(Job) -> Result<Answer, Fault>,
     ) -> (Vec<Cell>, Vec<Job>) {
         let plan = Plan {
             engines: engines.to_vec(),
@@ -348,11 +334,11 @@ mod tests {
     #[test]
     fn whoever_hangs_is_not_asked_again() {
         let limit = Duration::from_secs(1);
-        let (cells, asked) = carry_out(&[Engine::Delaunator], |_| Outcome::TimedOut(limit));
+        let (cells, asked) = carry_out(&[Engine::Delaunator], |_| Err(Fault::TimedOut(limit)));
         assert_eq!(asked.len(), 1);
         assert_eq!(cells.len(), 2);
         for cell in cells {
-            assert_eq!(cell.verdict, Verdict::TimedOut(limit));
+            assert_eq!(cell.verdict, Verdict::Faulty(Fault::TimedOut(limit)));
         }
     }
 
@@ -362,17 +348,16 @@ mod tests {
             if job.engine == Engine::Delaunator {
                 return done(job, 6, "");
             }
-            Outcome::Failed {
-                how: "panic".into(),
-                message: "index".into(),
-            }
+            Err(Fault::failed("panic", "index"))
         });
         let wrong = Verdict::Wrong {
             triangles: 6,
             expected: 7,
         };
         assert_eq!((&cells[0].verdict, cells[0].fresh.len()), (&wrong, 4));
-        assert!(matches!(&cells[1].verdict, Verdict::Failed { how, .. } if how == "panic"));
+        assert!(
+            matches!(&cells[1].verdict, Verdict::Faulty(Fault::Failed { how, .. }) if how == "panic")
+        );
         assert!(cells[1].fresh.is_empty() && cells[1].repeated.is_empty());
     }
 
@@ -380,29 +365,36 @@ mod tests {
     fn a_crash_under_the_clock_revokes_the_verdict() {
         let (cells, _) = carry_out(&[Engine::Spade], |job| {
             if job.repeats > 1 {
-                return Outcome::TimedOut(Duration::from_secs(5));
+                return Err(Fault::TimedOut(Duration::from_secs(5)));
             }
             done(job, 7, "")
         });
-        assert!(matches!(cells[0].verdict, Verdict::TimedOut(_)));
+        assert!(matches!(
+            cells[0].verdict,
+            Verdict::Faulty(Fault::TimedOut(_))
+        ));
     }
 
     #[test]
     fn our_hash_must_not_depend_on_threads() {
         let (cells, _) = carry_out(&[ONE, TWO], |job| done(job, 7, &job.engine.to_string()));
         assert_eq!(cells[0].verdict, Verdict::Right);
-        assert!(matches!(&cells[1].verdict, Verdict::Failed { how, .. } if how == "differs"));
+        assert!(
+            matches!(&cells[1].verdict, Verdict::Faulty(Fault::Failed { how, .. }) if how == "differs")
+        );
     }
     #[test]
     fn lost_segments_are_a_failure() {
         let (cells, _) = carry_out_on(Domain::Coast.into(), &[ONE, Engine::Cdt], |job| {
-            let Outcome::Done(mut answer) = done(job, 7, "h") else {
+            let Ok(mut answer) = done(job, 7, "h") else {
                 unreachable!("done is done")
             };
             answer.runs[0].constrained = job.engine.is_ours().then_some(2);
-            Outcome::Done(answer)
+            Ok(answer)
         });
-        assert!(matches!(&cells[0].verdict, Verdict::Failed { how, .. } if how == "segments"));
+        assert!(
+            matches!(&cells[0].verdict, Verdict::Faulty(Fault::Failed { how, .. }) if how == "segments")
+        );
         assert_eq!(cells[1].verdict, Verdict::Right);
     }
 

@@ -8,20 +8,42 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How a job ended.
+/// Why a job has no answer, or none that counts.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Outcome<A> {
-    /// It answered.
-    Done(A),
-    /// It did not: `how` in a word or two (`panic`, `error`, `signal 6`), and what it said.
+pub enum Fault {
+    /// It did not get through, or what it answered is wrong: `how` in a word or two (`panic`, `error`,
+    /// `signal 6`).
     Failed {
         /// The kind of failure.
         how: String,
-        /// The last thing the process said.
+        /// The last thing the process, or the check, said.
         message: String,
     },
     /// It was stopped after the given time.
     TimedOut(Duration),
+}
+
+impl Fault {
+    /// Makes a failure.
+    pub fn failed(how: &str, message: impl ToString) -> Self {
+        Self::Failed {
+            how: how.to_owned(),
+            message: message.to_string(),
+        }
+    }
+
+    /// Makes the failure of a check that says nothing.
+    pub fn silence() -> Self {
+        Self::failed("no answer", "the check reported nothing")
+    }
+
+    /// Says in a word or two what stands in a table instead of a figure.
+    pub fn in_short(&self) -> String {
+        match self {
+            Self::Failed { how, .. } => how.clone(),
+            Self::TimedOut(limit) => format!("> {:.0} s", limit.as_secs_f64()),
+        }
+    }
 }
 
 /// Runs jobs, each in a new process of one program.
@@ -45,13 +67,17 @@ impl Launcher {
     }
 
     /// Runs the program with `args`, for no longer than `timeout`, and reads its answer from JSON.
-    pub fn answer<A: DeserializeOwned>(&self, args: &[String], timeout: Duration) -> Outcome<A> {
+    ///
+    /// # Errors
+    /// What became of it, if it does not answer.
+    pub fn answer<A: DeserializeOwned>(
+        &self,
+        args: &[String],
+        timeout: Duration,
+    ) -> Result<A, Fault> {
         self.spawn(args)
             .and_then(|child| watch(child, timeout))
-            .unwrap_or_else(|error| Outcome::Failed {
-                how: "no process".to_owned(),
-                message: error.to_string(),
-            })
+            .unwrap_or_else(|error| Err(Fault::failed("no process", error)))
     }
 
     fn spawn(&self, args: &[String]) -> io::Result<Child> {
@@ -64,13 +90,13 @@ impl Launcher {
     }
 }
 
-fn watch<A: DeserializeOwned>(mut child: Child, timeout: Duration) -> io::Result<Outcome<A>> {
+fn watch<A: DeserializeOwned>(mut child: Child, timeout: Duration) -> io::Result<Result<A, Fault>> {
     let said = drain(child.stdout.take());
     let complained = drain(child.stderr.take());
     let Some(status) = wait(&mut child, timeout)? else {
         child.kill()?;
         child.wait()?;
-        return Ok(Outcome::TimedOut(timeout));
+        return Ok(Err(Fault::TimedOut(timeout)));
     };
     let said = said.join().unwrap_or_default();
     let complained = complained.join().unwrap_or_default();
@@ -101,21 +127,19 @@ fn wait(child: &mut Child, timeout: Duration) -> io::Result<Option<ExitStatus>> 
     Ok(None)
 }
 
-fn judge<A: DeserializeOwned>(status: ExitStatus, said: &str, complained: &str) -> Outcome<A> {
-    let failed = |how: String, message: &str| Outcome::Failed {
-        how,
-        message: message.to_owned(),
-    };
+fn judge<A: DeserializeOwned>(
+    status: ExitStatus,
+    said: &str,
+    complained: &str,
+) -> Result<A, Fault> {
     if status.success() {
-        return serde_json::from_str(said)
-            .map(Outcome::Done)
-            .unwrap_or_else(|error| failed("no answer".to_owned(), &error.to_string()));
+        return serde_json::from_str(said).map_err(|error| Fault::failed("no answer", error));
     }
-    match status.code() {
-        Some(101) => failed("panic".to_owned(), panic_message(complained)),
-        Some(_) => failed("error".to_owned(), last_line(complained)),
-        None => failed(signal_name(status), last_line(complained)),
-    }
+    Err(match status.code() {
+        Some(101) => Fault::failed("panic", panic_message(complained)),
+        Some(_) => Fault::failed("error", last_line(complained)),
+        None => Fault::failed(&signal_name(status), last_line(complained)),
+    })
 }
 
 #[cfg(unix)]
@@ -143,7 +167,7 @@ fn last_line(complained: &str) -> &str {
 
 #[cfg(all(test, unix))]
 mod tests {
-    use super::{Outcome, drain, judge, wait, watch};
+    use super::{Fault, drain, judge, wait, watch};
     use crate::job::Answer;
     use std::process::{Child, Command, Stdio};
     use std::time::{Duration, Instant};
@@ -157,13 +181,13 @@ mod tests {
             .expect("a shell")
     }
 
-    fn outcome(script: &str) -> Outcome<Answer> {
+    fn outcome(script: &str) -> Result<Answer, Fault> {
         watch(shell(script), Duration::from_secs(20)).expect("a child")
     }
 
-    fn failure(outcome: Outcome<Answer>) -> (String, String) {
+    fn failure(outcome: Result<Answer, Fault>) -> (String, String) {
         match outcome {
-            Outcome::Failed { how, message } => (how, message),
+            Err(Fault::Failed { how, message }) => (how, message),
             other => panic!("{other:?} is no failure"),
         }
     }
@@ -172,7 +196,7 @@ mod tests {
     fn answers_come_through() {
         let answer =
             outcome(r#"echo '{"runs": [], "expected": {"triangles": 5, "constrained": 0}}'"#);
-        assert!(matches!(answer, Outcome::Done(a) if a.expected.is_some_and(|e| e.triangles == 5)));
+        assert!(matches!(answer, Ok(a) if a.expected.is_some_and(|e| e.triangles == 5)));
     }
 
     #[test]
@@ -190,8 +214,8 @@ mod tests {
     fn hanging_children_are_stopped() {
         let start = Instant::now();
         let timeout = Duration::from_millis(50);
-        let hung: Outcome<Answer> = watch(shell("exec sleep 30"), timeout).expect("a child");
-        assert_eq!(hung, Outcome::TimedOut(timeout));
+        let hung: Result<Answer, _> = watch(shell("exec sleep 30"), timeout).expect("a child");
+        assert_eq!(hung, Err(Fault::TimedOut(timeout)));
         assert!(start.elapsed() < Duration::from_secs(20));
     }
 

@@ -8,6 +8,7 @@ use crate::engines::Engine;
 use crate::machine::{Machine, version_of};
 use crate::measure::Memory;
 use crate::plan::{Cell, Plan, Verdict};
+use crate::process::Fault;
 use crate::stats::{median, size_name};
 use crate::subject::Task;
 use crate::table::Table;
@@ -239,7 +240,7 @@ impl Report {
 
     fn write_failures(&self, out: &mut String) -> std::fmt::Result {
         for cell in &self.cells {
-            if let Verdict::Failed { how, message } = &cell.verdict {
+            if let Verdict::Faulty(Fault::Failed { how, message }) = &cell.verdict {
                 let Cell {
                     engine, subject, ..
                 } = cell;
@@ -311,8 +312,7 @@ fn marked(cell: &Cell, figure: Option<String>) -> String {
             let surplus = *triangles as i128 - *expected as i128;
             format!("{} ({surplus:+})", dash(figure))
         }
-        Verdict::Failed { how, .. } => how.clone(),
-        Verdict::TimedOut(limit) => format!("> {:.0} s", limit.as_secs_f64()),
+        Verdict::Faulty(fault) => fault.in_short(),
     }
 }
 
@@ -334,8 +334,12 @@ fn verdict_json(verdict: &Verdict) -> Value {
             triangles,
             expected,
         } => json!({ "wrong": { "triangles": triangles, "expected": expected } }),
-        Verdict::Failed { how, message } => json!({ "failed": { "how": how, "message": message } }),
-        Verdict::TimedOut(limit) => json!({ "timed_out": { "seconds": limit.as_secs_f64() } }),
+        Verdict::Faulty(Fault::Failed { how, message }) => {
+            json!({ "failed": { "how": how, "message": message } })
+        }
+        Verdict::Faulty(Fault::TimedOut(limit)) => {
+            json!({ "timed_out": { "seconds": limit.as_secs_f64() } })
+        }
     }
 }
 
@@ -346,6 +350,7 @@ mod tests {
     use crate::machine::Machine;
     use crate::measure::{Cost, Memory, Run};
     use crate::plan::{Cell, Plan, Verdict};
+    use crate::process::Fault;
     use crate::subject::{Subject, Task};
     use delone_samples::{Distribution, Domain};
     use std::time::Duration;
@@ -383,10 +388,7 @@ mod tests {
             triangles: 1987,
             expected: 1990,
         };
-        let failed = Verdict::Failed {
-            how: "panic".to_owned(),
-            message: "index out of bounds".to_owned(),
-        };
+        let failed = Verdict::Faulty(Fault::failed("panic", "index out of bounds"));
         let dead = |engine, verdict| Cell {
             fresh: Vec::new(),
             repeated: Vec::new(),
@@ -401,7 +403,7 @@ mod tests {
             dead(Engine::SpadeStable, failed),
             dead(
                 Engine::SimpleDelaunay,
-                Verdict::TimedOut(Duration::from_secs(60)),
+                Verdict::Faulty(Fault::TimedOut(Duration::from_secs(60))),
             ),
         ];
         Report {

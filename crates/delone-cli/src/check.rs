@@ -29,6 +29,7 @@ Examples:
   delone check mesh.ele --domain map.poly    is it the triangulation of that domain?
   delone check fine.ele --domain map.poly --min-angle 25 --max-edge 0.1
                                              a mesh that was refined: is it as good as asked?
+  delone check fine.ele --domain map.poly --sizing 'distance:segments,at=0.01,growth=0.2'
   delone check a.ele b.vtu --json            one JSON object a line
   delone check mesh.ele && echo trustworthy  the exit code tells: 0 right, 1 wrong";
 
@@ -166,7 +167,8 @@ impl Check {
         let read = |file: &PathBuf| {
             let source = Source::from_arg(file);
             let domain = self.reading.of_another_file().domain(&source, progress)?;
-            Ok(Drawing::new(&source, domain, self.rule))
+            let sizes = self.bounds.sizing.build(&domain, None, progress)?;
+            Ok(Drawing::new(&source, domain, self.rule, sizes))
         };
         self.domain.as_ref().map(read).transpose()
     }

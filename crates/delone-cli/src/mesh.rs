@@ -132,7 +132,7 @@ impl Mesh {
         let (written, write) = timed(writing)?;
         progress.finish();
 
-        let reached = Reached::new(&refined.report, self.goals.sizing.is_given());
+        let reached = Reached::new(&refined, self.goals.sizing.is_given());
         let lines = reached.lines(&refined, &numbering);
         let report = Report::new(figures, reached, [read, write], &laps);
         if self.job.json {

@@ -113,8 +113,6 @@ impl Triangle {
         let made = maker.make(pslg, sizes.as_ref())?;
         progress.note(&numbering.notes(made.mesh()));
 
-        summary.add_mesh(made.mesh(), made.report());
-
         let writer = Writer {
             names: &names,
             switches: &switches,
@@ -127,6 +125,7 @@ impl Triangle {
         let written = writer.write(made.mesh(), family, &progress)?;
         progress.finish();
         if !quiet {
+            summary.add_mesh(made.mesh(), made.report());
             summary.add_files(&written);
             files::print(&summary.to_string())?;
         }

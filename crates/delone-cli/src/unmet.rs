@@ -55,7 +55,7 @@ impl Unexcused {
         Some(Self {
             file: numbering.file().to_owned(),
             number: refined.report.num_unexcused(),
-            triangles: refined.report.statistics.triangles,
+            triangles: refined.mesh.triangulation().num_triangles(),
             worst: explain(worst, refined, numbering),
             advice: match refined.report.outcome {
                 Outcome::FellBack => {

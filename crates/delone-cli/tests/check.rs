@@ -277,6 +277,9 @@ fn a_bound_that_is_missed_is_1_unless_something_excuses_it() {
         ("--max-area 2", 0),
         ("--max-area 1.9", 8),
         ("--area-per-region", 8),
+        ("--sizing 2.9", 0),
+        ("--sizing 2.6+0.1*x", 4),
+        ("--sizing 9 --sizing distance:segments,at=2.8,growth=0", 8),
         ("--conforming", 0),
     ] {
         let line = format!("check m.ele --domain coarse.poly {bound}");
@@ -296,6 +299,20 @@ fn a_bound_that_is_missed_is_1_unless_something_excuses_it() {
     }
     let quiet = folder.run("-q check m.ele --domain coarse.poly --min-angle 46", 1);
     assert!(quiet.stdout.contains("bounds NOT met"), "{}", quiet.stdout);
+}
+
+#[test]
+fn sizes_of_a_mesh_are_checked_as_they_were_asked_for() {
+    let folder = squares();
+    let sizing = "--sizing 0.1+0.3*hypot(x,y) --sizing distance:points,at=0.2,growth=0.5";
+    folder.run(&format!("mesh coarse.poly {sizing} -o s.ele"), 0);
+    let check = |sizing: &str, code| {
+        let line = format!("check s.ele --domain coarse.poly --min-angle 25 {sizing} --json");
+        folder.run(&line, code).json()["bounds"].clone()
+    };
+    assert_eq!(check(sizing, 0)["unmet"], 0);
+    let smaller = sizing.replace("0.3", "0.15");
+    assert_ne!(check(&smaller, 1)["unexcused"], 0);
 }
 
 #[test]
@@ -357,6 +374,7 @@ fn bounds_need_a_domain_and_must_make_sense() {
         "--min-angle 20",
         "--keep-boundary",
         "--conforming",
+        "--sizing 1",
     ] {
         folder
             .run(&format!("check m.ele {bound}"), 2)
@@ -365,6 +383,9 @@ fn bounds_need_a_domain_and_must_make_sense() {
     folder
         .run("check m.ele --domain coarse.poly --min-angle 60", 2)
         .says(&["below 60"]);
+    folder
+        .run("check m.ele --domain coarse.poly --sizing 1-x", 3)
+        .says(&["--sizing `1-x` is -3", "sizes must be positive"]);
     folder
         .run("check m.ele --domain coarse.poly --max-area NaN", 2)
         .says(&["--max-area", "a positive number is needed"]);

@@ -46,7 +46,7 @@
 //! let refined = Refinement::new(quality).domain(DomainRule::Carve).mesh(outline)?;
 //! assert_eq!(refined.report.outcome, Outcome::Complete);
 //! assert!(refined.report.unmet.is_empty()); // else each with its reason
-//! assert!(refined.report.statistics.longest_edge <= 0.5);
+//! assert!(refined.statistics().longest_edge <= 0.5);
 //! # Ok::<(), delone::Error>(())
 //! ```
 //!

@@ -131,7 +131,7 @@ fn an_acute_corner_gets_no_worse() {
     let [before, after] = [0, 10].map(refined);
     let report = |r: &RefinedMesh| (r.report.unmet.len(), r.report.num_unexcused());
     assert!(report(&after) <= report(&before));
-    assert!(after.report.statistics.min_angle >= before.report.statistics.min_angle);
+    assert!(after.statistics().min_angle >= before.statistics().min_angle);
 }
 
 #[test]

@@ -99,7 +99,9 @@ fn assert_valid(t: &ConstrainedTriangulation) {
 fn the_thesis_own_domain_is_opened_twice() {
     let mut log = Log::default();
     let refined = thesis(quality(20.0, 3.0)).observe(thesis_domain(), &mut log);
-    let RefinedMesh { mesh, report, .. } = refined.unwrap();
+    let refined = refined.unwrap();
+    assert!((refined.statistics().min_angle - 26.565).abs() < 1e-3);
+    let RefinedMesh { mesh, report, .. } = refined;
     assert_valid(&mesh);
     let [edge_split, first, second] = [(1.5, 3.5), (2.0, 0.5), (1.0, 1.0)].map(Point::from);
     assert_eq!(
@@ -109,7 +111,6 @@ fn the_thesis_own_domain_is_opened_twice() {
     assert_eq!(mesh.triangulation().num_triangles(), 13);
     assert_eq!((report.outcome, report.unmet.len()), (Outcome::Complete, 0));
     assert_eq!((report.on_segments, report.free), (2, 1));
-    assert!((report.statistics.min_angle - 26.565).abs() < 1e-3);
 
     let split = log.0.iter().filter_map(|event| match *event {
         Event::EdgeSplit { edge, vertex, at } => {
@@ -145,8 +146,9 @@ fn the_thesis_own_domain_is_opened_twice() {
 fn without_success_the_mesh_of_phase_1_is_the_result() {
     let mut log = Log::default();
     let refined = thesis(quality(40.0, 1.0)).observe(thesis_domain(), &mut log);
-    let RefinedMesh { mesh, report, .. } = refined.unwrap();
-    assert_valid(&mesh);
+    let refined = refined.unwrap();
+    let RefinedMesh { mesh, report, .. } = &refined;
+    assert_valid(mesh);
     assert_eq!(report.outcome, Outcome::FellBack);
     let only_edges = Quality {
         max_edge: Some(1.0),
@@ -158,11 +160,8 @@ fn without_success_the_mesh_of_phase_1_is_the_result() {
         mesh.triangulation().hash(),
         phase_1.mesh.triangulation().hash()
     );
-    assert!(longest_edge(&mesh) <= 1.0);
-    assert_eq!(
-        report.statistics.min_angle,
-        phase_1.report.statistics.min_angle
-    );
+    assert!(longest_edge(mesh) <= 1.0);
+    assert_eq!(refined.statistics(), phase_1.statistics());
     assert!(report.num_unexcused() > 0);
     let first = VertexId::new(mesh.triangulation().points().len());
     assert_eq!(log.0.last(), Some(&Event::TakenBack { from: first }));
@@ -355,13 +354,14 @@ fn random_drawings_are_refined_or_refused() {
             .crossings(domain.crossings)
             .budget(budget);
         let result = refinement.threads(1).mesh(domain.pslg.clone());
-        let RefinedMesh { mesh, report, .. } = result.expect("what can be triangulated");
-        assert_valid(&mesh);
+        let result = result.expect("what can be triangulated");
+        let RefinedMesh { mesh, report, .. } = &result;
+        assert_valid(mesh);
         let points = mesh.triangulation().points();
         assert!(points.len() <= before.triangulation().points().len() + 400);
         let again = refinement.threads(2).mesh(domain.pslg.clone()).unwrap();
         assert_eq!(again.mesh.triangulation().points(), points, "case {seed}");
-        let [old, new] = [&before, &mesh].map(|t| {
+        let [old, new] = [&before, mesh].map(|t| {
             let t = t.triangulation();
             delone::check::statistics(t.points(), t.triangles()).area
         });
@@ -375,7 +375,7 @@ fn random_drawings_are_refined_or_refused() {
             && is_promised
         {
             // Of triangles: there may be none.
-            let longest = report.statistics.longest_edge;
+            let longest = result.statistics().longest_edge;
             assert!(longest <= bound * (1.0 + 1e-12), "case {seed}: {longest}");
             assert!(report.unmet.iter().all(|u| !u.broken.edge), "case {seed}");
         }

@@ -11,7 +11,8 @@ use super::mesher::Mesher;
 use super::python::Python;
 use super::quality::Quality;
 use crate::measure::Cost;
-use crate::process::{Launcher, Outcome};
+use crate::plan::agree;
+use crate::process::{Fault, Launcher};
 use std::time::Duration;
 
 /// The area of a mesh must be that of its domain, up to the rounding of vertices on segments.
@@ -38,20 +39,6 @@ pub struct Plan {
     pub timeout: Duration,
 }
 
-/// Why there is no mesh, or none that counts.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Fault {
-    /// The mesher did not get through, or its mesh is wrong: `how` in a word or two.
-    Failed {
-        /// The kind of failure.
-        how: String,
-        /// What the process or the check said.
-        message: String,
-    },
-    /// The mesher took longer than allowed.
-    TimedOut(Duration),
-}
-
 /// All about one mesher at one goal on one outline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
@@ -72,7 +59,10 @@ pub struct Cell {
 /// Does a job, wherever and however.
 pub trait Worker {
     /// Runs `job`, for no longer than `timeout`.
-    fn mesh(&self, job: &Job, timeout: Duration) -> Outcome<Answer>;
+    ///
+    /// # Errors
+    /// What became of it, if it does not answer.
+    fn mesh(&self, job: &Job, timeout: Duration) -> Result<Answer, Fault>;
 }
 
 /// Runs jobs in children of this program, and in Python.
@@ -85,7 +75,7 @@ pub struct Workshop {
 }
 
 impl Worker for Workshop {
-    fn mesh(&self, job: &Job, timeout: Duration) -> Outcome<Answer> {
+    fn mesh(&self, job: &Job, timeout: Duration) -> Result<Answer, Fault> {
         match &self.python {
             Some(python) if job.mesher.python_package().is_some() => python.mesh(job, timeout),
             _ => self.launcher.answer(&job.to_args(), timeout),
@@ -151,7 +141,7 @@ impl Plan {
         for round in 0..self.warmups + self.runs {
             for cell in group.iter_mut().filter(|cell| cell.mesh.is_ok()) {
                 let job = self.job(cell.mesher, cell.outline, cell.goal, false);
-                match answer_or_fault(worker.mesh(&job, self.timeout)) {
+                match worker.mesh(&job, self.timeout) {
                     Ok(answer) if round >= self.warmups => cell.runs.push(answer.cost),
                     Ok(_) => (),
                     Err(fault) => cell.mesh = Err(fault),
@@ -187,38 +177,20 @@ fn timed_out_before(job: &Job, before: &[Cell]) -> Option<Duration> {
     })
 }
 
-fn answer_or_fault(outcome: Outcome<Answer>) -> Result<Answer, Fault> {
-    match outcome {
-        Outcome::Done(answer) => Ok(answer),
-        Outcome::Failed { how, message } => Err(Fault::Failed { how, message }),
-        Outcome::TimedOut(limit) => Err(Fault::TimedOut(limit)),
-    }
-}
-
 /// Judges a checked answer: the mesh must cover the domain, and whoever names its set of triangles
 /// must name the same one on any number of threads.
 fn judge(
-    outcome: Outcome<Answer>,
+    answer: Result<Answer, Fault>,
     area: f64,
     our_hash: &mut Option<String>,
 ) -> Result<Quality, Fault> {
-    let failed = |how: &str, message: String| {
-        let how = how.to_owned();
-        Err(Fault::Failed { how, message })
-    };
-    let Some(quality) = answer_or_fault(outcome)?.quality else {
-        return failed("no answer", "the check reported nothing".to_owned());
-    };
+    let quality = answer?.quality;
+    let quality = quality.ok_or_else(Fault::silence)?;
     if (quality.area - area).abs() > AREA_SLACK * area {
-        return failed("area", format!("{} instead of {area}", quality.area));
+        let message = format!("{} instead of {area}", quality.area);
+        return Err(Fault::failed("area", message));
     }
-    if let Some(hash) = &quality.hash {
-        let first = our_hash.get_or_insert_with(|| hash.clone());
-        if hash != first {
-            let message = format!("hash {hash}, but with other threads {first}");
-            return failed("differs", message);
-        }
-    }
+    agree(quality.hash.as_deref(), our_hash)?;
     Ok(quality)
 }
 

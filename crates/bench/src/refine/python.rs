@@ -3,7 +3,7 @@
 use super::goal::Outline;
 use super::job::{Answer, Job};
 use super::mesher::Mesher;
-use crate::process::{Launcher, Outcome};
+use crate::process::{Fault, Launcher};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io;
@@ -31,11 +31,11 @@ impl Python {
     /// If it cannot be run or does not answer, or if there is no place for files.
     pub fn find(program: &Path) -> Result<Self, String> {
         let launcher = Launcher::new(program.to_owned());
-        let versions = match launcher.answer(&script_args(["versions".to_owned()]), PATIENCE) {
-            Outcome::Done(versions) => versions,
-            Outcome::Failed { how, message } => return Err(format!("{how}: {message}")),
-            Outcome::TimedOut(limit) => return Err(format!("no answer within {limit:?}")),
-        };
+        let versions = launcher.answer(&script_args(["versions".to_owned()]), PATIENCE);
+        let versions = versions.map_err(|fault| match fault {
+            Fault::Failed { how, message } => format!("{how}: {message}"),
+            Fault::TimedOut(limit) => format!("no answer within {limit:?}"),
+        })?;
         let folder = std::env::temp_dir().join(format!("delone-bench-{}", std::process::id()));
         std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
         Ok(Self {
@@ -51,16 +51,12 @@ impl Python {
     }
 
     /// Does `job`, for no longer than `timeout`, the start of Python included.
-    pub fn mesh(&self, job: &Job, timeout: Duration) -> Outcome<Answer> {
-        let path = match self.file_of(job.outline, job.seed) {
-            Ok(path) => path,
-            Err(error) => {
-                return Outcome::Failed {
-                    how: "no file".to_owned(),
-                    message: error.to_string(),
-                };
-            }
-        };
+    ///
+    /// # Errors
+    /// What became of it, if it does not answer.
+    pub fn mesh(&self, job: &Job, timeout: Duration) -> Result<Answer, Fault> {
+        let path = self.file_of(job.outline, job.seed);
+        let path = path.map_err(|error| Fault::failed("no file", error))?;
         let words = [
             job.mesher.to_string(),
             path.display().to_string(),

@@ -5,10 +5,11 @@
 
 use super::goal::Load;
 use super::mesher::Mesher;
-use super::plan::{Cell, Fault, Plan};
+use super::plan::{Cell, Plan};
 use super::targets::{self, ratio};
 use crate::machine::Machine;
 use crate::measure::Memory;
+use crate::process::Fault;
 use crate::stats::{median, size_name};
 use crate::table::Table;
 use serde_json::{Value, json};
@@ -254,8 +255,7 @@ fn dash() -> String {
 fn text(cell: Option<&Cell>, figure: &Figure) -> String {
     let Some(cell) = cell else { return dash() };
     match &cell.mesh {
-        Err(Fault::Failed { how, .. }) => how.clone(),
-        Err(Fault::TimedOut(limit)) => format!("> {:.0} s", limit.as_secs_f64()),
+        Err(fault) => fault.in_short(),
         Ok(quality) => {
             let value = (figure.value)(cell);
             let text = value.map_or(dash(), |value| format!("{value:.*}", figure.digits));

@@ -2,12 +2,13 @@
 
 use crate::domain::Kept;
 use crate::numbers::{angle, positive};
+use crate::sizing::Sizing;
 use delone::check::Asked;
 use delone::{Angle, Locked, Quality};
 
 /// Options about refined meshes.
 #[derive(clap::Args)]
-#[command(next_help_heading = "Refined meshes")]
+#[command(next_help_heading = "Refined meshes", mut_arg("specs", |sizing| sizing.requires("domain")))]
 pub struct Bounds {
     /// Allow Steiner points, on segments and elsewhere; all of the following imply it
     #[arg(long, requires = "domain")]
@@ -27,6 +28,8 @@ pub struct Bounds {
     /// In each region of the domain no triangle larger than the region allows
     #[arg(long, requires = "domain")]
     area_per_region: bool,
+    #[command(flatten, next_help_heading = "Refined meshes")]
+    pub sizing: Sizing,
     /// No vertex was added on segments: on none, or on none with the domain on one side only
     #[arg(long, value_enum, value_name = "WHICH", requires = "domain",
           num_args = 0..=1, require_equals = true, default_missing_value = "all")]
@@ -42,11 +45,13 @@ impl Bounds {
         self.refined || self.asked().is_some()
     }
 
-    /// Returns what is asked for, if anything is.
+    /// Returns what is asked for, if anything is, but for the sizes.
     pub fn asked(&self) -> Option<Asked<'_>> {
         let quality = self.quality();
-        let is_asked =
-            quality != Quality::default() || self.keep_boundary.is_some() || self.conforming;
+        let is_asked = quality != Quality::default()
+            || self.sizing.is_given()
+            || self.keep_boundary.is_some()
+            || self.conforming;
         let asked =
             Asked::new(quality).locked(self.keep_boundary.map_or(Locked::Nothing, Into::into));
         is_asked.then_some(if self.conforming {

@@ -7,7 +7,8 @@ use crate::numbering::Numbering;
 use crate::progress::Progress;
 use delone::check::{DomainMesh, QualityVerdict, Verdict, verify_domain, verify_quality};
 use delone::{
-    ConstrainedDelaunay, ConstrainedTriangulation, Error, Point, Pslg, SegmentPolicy, VertexId,
+    ConstrainedDelaunay, ConstrainedTriangulation, Error, Point, Pslg, SegmentPolicy, SizingField,
+    VertexId,
 };
 use delone_io::{DomainData, MeshData, Source};
 use std::borrow::Cow;
@@ -46,18 +47,26 @@ pub struct Drawing {
     pub rule: Rule,
     /// Whether it counts from 1.
     pub is_one_based: bool,
+    /// How large triangles may be, if that depends on the place.
+    sizes: Option<Box<dyn SizingField>>,
     pslg: Pslg,
     numbering: Numbering,
 }
 
 impl Drawing {
-    /// Takes a domain, with its usual rule unless there is another one.
-    pub fn new(source: &Source, mut domain: DomainData, rule: Option<Rule>) -> Self {
+    /// Takes a domain, with its usual rule unless there is another one, and the sizes in it.
+    pub fn new(
+        source: &Source,
+        mut domain: DomainData,
+        rule: Option<Rule>,
+        sizes: Option<Box<dyn SizingField>>,
+    ) -> Self {
         let file = source.to_string();
         Self {
             rule: rule.unwrap_or(domain.usual_rule.into()),
             is_one_based: domain.vertices.base == 1,
             numbering: Numbering::of(&file, &domain),
+            sizes,
             pslg: domain.take_pslg(),
             file,
         }
@@ -100,6 +109,12 @@ impl Drawing {
     ) -> Result<Findings, Failure> {
         let Some(asked) = bounds.asked() else {
             return self.verify_plain(claim, progress).map(Findings::from);
+        };
+        let sizes = self.sizes.as_deref();
+        let sizes = sizes.map(|field| move |p: Point| [field.max_edge(p), field.max_area(p)]);
+        let asked = match &sizes {
+            Some(sizes) => asked.sizes(sizes),
+            None => asked,
         };
         match verify_quality(&self.pslg, self.rule.into(), claim, &asked, progress) {
             Ok(Ok(quality)) => Ok(quality.into()),

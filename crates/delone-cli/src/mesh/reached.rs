@@ -57,9 +57,9 @@ impl Asked {
 }
 
 impl Reached {
-    /// Takes the figures of a report; `sizing` tells whether sizes depended on the place.
-    pub fn new(report: &Report, sizing: bool) -> Self {
-        let statistics = &report.statistics;
+    /// Takes the figures of a mesh; `sizing` tells whether sizes depended on the place.
+    pub fn new(refined: &RefinedMesh, sizing: bool) -> Self {
+        let (report, statistics) = (&refined.report, refined.statistics());
         let if_any = |value| (statistics.triangles > 0).then_some(value);
         let mut unmet_by_reason = BTreeMap::from(KNOWN_REASONS.map(|name| (name, 0)));
         for unmet in &report.unmet {
@@ -84,14 +84,14 @@ impl Reached {
 
     /// Says it in lines for people.
     pub fn lines(&self, refined: &RefinedMesh, numbering: &Numbering) -> Vec<String> {
-        let report = &refined.report;
+        let (report, statistics) = (&refined.report, refined.statistics());
         let mut lines = vec![steiner(report)];
-        if report.statistics.triangles > 0 {
+        if statistics.triangles > 0 {
             lines.push(self.extremes());
-            lines.push(histogram(&report.statistics.min_angles));
+            lines.push(histogram(&statistics.min_angles));
         }
         lines.extend(stop(report.outcome).map(str::to_owned));
-        if report.statistics.triangles == 0 {
+        if statistics.triangles == 0 {
             lines.push("there is no triangle".to_owned());
         } else if report.unmet.is_empty() {
             lines.push("every triangle is as asked".to_owned());

@@ -28,11 +28,8 @@ impl Summary {
             let [on_segments, free] = [report.on_segments, report.free].map(count);
             line += &format!("; added: {on_segments} on segments, {free} elsewhere");
         }
-        let smallest = match report {
-            Some(report) => report.statistics.min_angle,
-            None => check::statistics(points, triangles).min_angle,
-        };
         if !triangles.is_empty() {
+            let smallest = check::statistics(points, triangles).min_angle;
             line += &format!("; smallest angle {} degrees", measure(smallest));
         }
         self.0.push(line);

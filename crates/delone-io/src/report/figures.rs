@@ -34,12 +34,12 @@ impl Figure {
 pub(super) fn principal(refined: &RefinedMesh) -> Vec<Figure> {
     let Report {
         asked,
-        statistics: found,
         on_segments,
         free,
         unmet,
         ..
     } = &refined.report;
+    let found = refined.statistics();
     let vertices = refined.mesh.triangulation().num_vertices();
     let mut figures = vec![
         Figure::new("triangles", count(found.triangles)),
@@ -72,8 +72,7 @@ pub(super) fn principal(refined: &RefinedMesh) -> Vec<Figure> {
 
 /// Lists the other figures.
 pub(super) fn further(refined: &RefinedMesh) -> Vec<Figure> {
-    let report = &refined.report;
-    let found = &report.statistics;
+    let (report, found) = (&refined.report, refined.statistics());
     let mut figures = vec![
         Figure::new("Steiner points on segments", count(report.on_segments)),
         Figure::new("Steiner points elsewhere", count(report.free)),
@@ -95,7 +94,7 @@ pub(super) fn details(options: &ReportOptions<'_>) -> Vec<Figure> {
 
 /// Lists figures that only triangles have.
 fn shapes(refined: &RefinedMesh) -> [Figure; 9] {
-    let found = &refined.report.statistics;
+    let found = refined.statistics();
     let both = |worst: f64, mean: f64| format!("{}; mean {}", measure(worst), measure(mean));
     [
         Figure::new("largest angle", degrees(found.max_angle)),

@@ -117,7 +117,7 @@ fn write_picture(
 }
 
 fn write_charts(out: &mut Output<'_>, subject: &Subject<'_>) -> Result<(), Error> {
-    let report = &subject.refined.report;
+    let (found, asked) = (subject.refined.statistics(), &subject.refined.report.asked);
     let charts = [
         Chart::of_smallest_angles,
         Chart::of_angles,
@@ -125,7 +125,7 @@ fn write_charts(out: &mut Output<'_>, subject: &Subject<'_>) -> Result<(), Error
         Chart::of_areas,
     ];
     out.text(format_args!("<section class=\"charts\">\n"))?;
-    for chart in charts.map(|chart| chart(&report.statistics, &report.asked)) {
+    for chart in charts.map(|chart| chart(found, asked)) {
         let mut sheet = Sheet::default();
         // Letters begin on the line where they are put, and lines are wide.
         chart.draw(&mut sheet, [2.0, 0.0], CHART, 1.0);

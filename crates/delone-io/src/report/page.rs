@@ -125,7 +125,7 @@ fn in_words(subject: &Subject<'_>) -> String {
 /// Draws everything but the mesh.
 fn sheet(subject: &Subject<'_>, options: &ReportOptions<'_>, layout: &Layout) -> Sheet {
     let report = &subject.refined.report;
-    let (found, asked) = (&report.statistics, &report.asked);
+    let (found, asked) = (subject.refined.statistics(), &report.asked);
     let mut sheet = Sheet::default();
     let unit = layout.unit;
     let lines = [

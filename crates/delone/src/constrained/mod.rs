@@ -73,21 +73,15 @@ impl<'w> ConstrainedDelaunay<'w> {
     }
 
     /// Chooses what to do where segments cross.
-    pub fn crossings(self, policy: SegmentPolicy) -> Self {
-        let options = Options {
-            crossings: policy,
-            ..self.options
-        };
-        Self { options, ..self }
+    pub fn crossings(mut self, policy: SegmentPolicy) -> Self {
+        self.options.crossings = policy;
+        self
     }
 
     /// Chooses which triangles belong to the domain.
-    pub fn domain(self, rule: DomainRule) -> Self {
-        let options = Options {
-            domain: rule,
-            ..self.options
-        };
-        Self { options, ..self }
+    pub fn domain(mut self, rule: DomainRule) -> Self {
+        self.options.domain = rule;
+        self
     }
 
     /// Uses `threads` threads (0 means 1, and at most 1024); the result is the same for any number.

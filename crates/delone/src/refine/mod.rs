@@ -17,7 +17,7 @@
 //! | [`bounds`], [`queue`] | what is bad, and what comes next |
 //! | [`candidates`] | where a vertex could help |
 //! | [`lines`] | segments: where they are cut, and the chains they become |
-//! | [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
+//! | [`refined`], [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
 //! | [`relocate`] | vertices of the lattice moved instead of others added |
 //! | [`smooth`](mod@smooth) | vertices moved to better places afterwards |
 //! | [`patch`], [`worth`] | what a move changes, and whether that is worth it |
@@ -133,6 +133,7 @@ mod lines;
 mod patch;
 mod queue;
 mod reasons;
+mod refined;
 mod refiner;
 mod relocate;
 mod report;
@@ -144,14 +145,12 @@ mod thesis;
 mod worth;
 
 pub use budget::Budget;
+pub use refined::RefinedMesh;
 pub use report::{Outcome, Reason, Report, Unmet};
 pub use sizing::SizingField;
 
 use crate::constrained::{Options, prepare};
-use crate::{
-    ConstrainedTriangulation, DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy,
-    Watch, parallel,
-};
+use crate::{DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy, Watch, parallel};
 
 /// When a segment has to be split because a vertex is too close to it, a vertex that sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -195,7 +194,7 @@ pub enum Strategy {
 ///
 /// assert_eq!(refined.report.outcome, Outcome::Complete);
 /// assert!(refined.report.unmet.is_empty());
-/// assert!(refined.report.statistics.min_angle >= 30.0);
+/// assert!(refined.statistics().min_angle >= 30.0);
 /// assert!(refined.mesh.chain(4).len() > 4); // vertices along the slit
 ///
 /// // Whoever does not trust the report may have it proven from the triangles alone.
@@ -234,16 +233,6 @@ pub struct Refinement<'a> {
     options: Options,
     threads: Option<usize>,
     watch: &'a dyn Watch,
-}
-
-/// A refined mesh, and what it is like.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct RefinedMesh {
-    /// The mesh: vertices that were added come behind those of the input and the crossings.
-    pub mesh: ConstrainedTriangulation,
-    /// What was reached.
-    pub report: Report,
 }
 
 impl<'a> Refinement<'a> {
@@ -312,21 +301,15 @@ impl<'a> Refinement<'a> {
     }
 
     /// Chooses what to do where segments of the input cross.
-    pub fn crossings(self, policy: SegmentPolicy) -> Self {
-        let options = Options {
-            crossings: policy,
-            ..self.options
-        };
-        Self { options, ..self }
+    pub fn crossings(mut self, policy: SegmentPolicy) -> Self {
+        self.options.crossings = policy;
+        self
     }
 
     /// Chooses which triangles belong to the domain.
-    pub fn domain(self, rule: DomainRule) -> Self {
-        let options = Options {
-            domain: rule,
-            ..self.options
-        };
-        Self { options, ..self }
+    pub fn domain(mut self, rule: DomainRule) -> Self {
+        self.options.domain = rule;
+        self
     }
 
     /// Uses `threads` threads (0 means 1, and at most 1024); the result is the same for any number.

@@ -5,7 +5,9 @@ use super::canvas::Canvas;
 use super::corners::Corners;
 use super::{Reason, Unmet};
 use crate::check;
+use crate::parallel::Workers;
 use crate::{Angle, Broken, ConstrainedTriangulation, HalfEdgeId, Locked, TriangleId, VertexId};
+use std::ops::Range;
 
 /// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
 const ROOM: f64 = 4096.0;
@@ -14,27 +16,60 @@ const ROOM: f64 = 4096.0;
 const SLACK: f64 = 1e-9;
 
 /// Finds the triangles that break a bound, as they will be numbered: those of the domain in their order.
-pub(super) fn unmet(canvas: &Canvas, bounds: &Bounds) -> Vec<(TriangleId, Broken)> {
-    let faces = (0..canvas.mesh.num_faces()).map(TriangleId::new);
-    let domain = faces.filter(|&t| !canvas.traits(t).is_outside());
-    let has_sizes = bounds.has_sizes();
-    let broken = domain.enumerate().map(|(i, t)| {
-        let points = canvas.triangle(t);
-        let shape = Shape::of(points);
-        let [edge, area] = match has_sizes {
-            true => bounds.oversizes(points, &shape, canvas.region(t)),
-            false => [0.0; 2],
+pub(super) fn unmet(
+    canvas: &Canvas,
+    bounds: &Bounds,
+    workers: Workers,
+) -> Vec<(TriangleId, Broken)> {
+    let num_faces = canvas.mesh.num_faces();
+    let len = workers.chunk_len(num_faces, 4);
+    let chunks = (0..num_faces).step_by(len);
+    let chunks = chunks.map(|start| start..num_faces.min(start + len));
+    let mut unmet = Vec::new();
+    let mut before = 0;
+    for chunk in workers.map(chunks.collect(), |faces| Chunk::of(canvas, bounds, faces)) {
+        let broken = chunk.broken.into_iter();
+        unmet.extend(broken.map(|(i, broken)| (TriangleId::new(before + i), broken)));
+        before += chunk.num_domain;
+    }
+    unmet
+}
+
+/// What is found among some faces.
+struct Chunk {
+    /// How many of them belong to the domain.
+    num_domain: usize,
+    /// Which of those break what.
+    broken: Vec<(usize, Broken)>,
+}
+
+impl Chunk {
+    fn of(canvas: &Canvas, bounds: &Bounds, faces: Range<usize>) -> Self {
+        let mut chunk = Self {
+            num_domain: 0,
+            broken: Vec::new(),
         };
-        let broken = Broken {
-            angle: bounds.is_skinny(shape.squares, shape.cross),
-            edge: edge > 1.0,
-            area: area > 1.0,
-        };
-        (TriangleId::new(i), broken)
-    });
-    broken
-        .filter(|&(_, broken)| broken != Broken::default())
-        .collect()
+        let has_sizes = bounds.has_sizes();
+        let is_inside = |&t: &TriangleId| !canvas.traits(t).is_outside();
+        for t in faces.map(TriangleId::new).filter(is_inside) {
+            let points = canvas.triangle(t);
+            let shape = Shape::of(points);
+            let [edge, area] = match has_sizes {
+                true => bounds.oversizes(points, &shape, canvas.region(t)),
+                false => [0.0; 2],
+            };
+            let broken = Broken {
+                angle: bounds.is_skinny(shape.squares, shape.cross),
+                edge: edge > 1.0,
+                area: area > 1.0,
+            };
+            if broken != Broken::default() {
+                chunk.broken.push((chunk.num_domain, broken));
+            }
+            chunk.num_domain += 1;
+        }
+        chunk
+    }
 }
 
 /// Finds the reason of each.

@@ -1,6 +1,5 @@
 //! What refinement has reached, and what not, and why.
 
-use crate::check::Statistics;
 use crate::{Angle, Broken, Quality, TriangleId, VertexId};
 
 /// Why refinement stopped.
@@ -79,8 +78,6 @@ pub struct Report {
     pub outcome: Outcome,
     /// What was asked for.
     pub asked: Quality,
-    /// What the triangles are like: extremes, means and histograms of angles, edges and areas.
-    pub statistics: Statistics,
     /// The triangles that do not meet the bounds, ascending.
     pub unmet: Vec<Unmet>,
     /// Vertices added on segments.

@@ -9,7 +9,7 @@ use super::sow::sow;
 use super::{Outcome, RefinedMesh, Refinement, Report};
 use crate::constrained::{Prepared, enrich};
 use crate::parallel::Workers;
-use crate::{DomainRule, Error, Locked, Phase, Watch, check};
+use crate::{DomainRule, Error, Locked, Phase, Watch};
 use std::time::Instant;
 
 /// Steps between two looks at clock and watch.
@@ -48,15 +48,13 @@ pub(super) fn refine(
         Some(Outcome::Cancelled) => stopped,
         _ => smooth(&mut refiner, refinement, start).or(stopped),
     };
-    let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds);
+    let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds, workers);
     let Refiner { canvas, lines, .. } = refiner;
     // From here on the work is done: whoever cancels gets what there is.
     let watch = Unstoppable(refinement.watch);
     let prepared = handing::prepared(canvas, &lines, context);
     let mesh = prepared.hand_out(workers, &watch)?;
     let unmet = reasons::explain(&mesh, unmet, refinement.locked, stopped.is_some());
-    let triangulation = mesh.triangulation();
-    let statistics = check::statistics(triangulation.points(), triangulation.triangles());
     let on_segments = mesh.num_on_segments();
     let is_excused = unmet.iter().all(|u| u.reason.is_excused());
     let report = Report {
@@ -65,12 +63,11 @@ pub(super) fn refine(
             false => Outcome::PrecisionLimit,
         }),
         asked: refinement.quality,
-        statistics,
         unmet,
         on_segments,
         free: mesh.num_steiner() - on_segments,
     };
-    Ok(RefinedMesh { mesh, report })
+    Ok(RefinedMesh::new(mesh, report))
 }
 
 /// Goes on until nothing is left to do; returns what stopped it earlier, if anything did.

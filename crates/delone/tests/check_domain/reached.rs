@@ -17,7 +17,11 @@ fn judge(input: &Pslg, rule: DomainRule, mesh: &RefinedMesh, asked: &Asked) -> Q
     let t = mesh.mesh.triangulation();
     let subsegments: Vec<_> = mesh.mesh.constrained_edges().collect();
     let claim = DomainMesh::new(t.points(), t.triangles(), &subsegments);
-    let chains = |segment| mesh.mesh.chain(segment);
+    // Whoever drew the segments has chains for these alone.
+    let chains = |segment| {
+        assert!(segment < input.segments.len(), "nobody drew {segment}");
+        mesh.mesh.chain(segment)
+    };
     let verify = |claim: &DomainMesh| {
         let verdict = check::verify_quality(input, rule, claim, asked, &());
         verdict
@@ -26,7 +30,11 @@ fn judge(input: &Pslg, rule: DomainRule, mesh: &RefinedMesh, asked: &Asked) -> Q
     };
     let verdict = verify(&claim.with_chains(&chains));
     // Of several excuses another one may come first.
-    let counts = |verdict: &QualityVerdict| (verdict.unmet.len(), verdict.counts().unexcused);
+    let counts = |verdict: &QualityVerdict| {
+        let numbers = verdict.certificate.domain.as_ref().expect("numbers");
+        let unexcused = verdict.counts().unexcused;
+        (verdict.unmet.len(), unexcused, numbers.on_segments)
+    };
     assert_eq!(counts(&verify(&claim)), counts(&verdict));
     verdict
 }
@@ -130,6 +138,40 @@ fn of_random_stars_the_report_is_right() {
     assert_eq!(met, 40);
 }
 
+/// Between the hull and two segments there is no room for more than rounding: which vertices are on which?
+#[test]
+fn a_hull_just_outside_of_segments_is_told_from_them() {
+    let middle = |a: f64, b: f64| f64::midpoint(a, b);
+    let (a, c) = ((202.5, 1143.9727), (-0.0, 869.6563));
+    let b = (middle(a.0, c.0), middle(a.1, c.1).next_down());
+    let input = |points: [(f64, f64); 5]| {
+        let mut input = Pslg::from_points(points);
+        for (from, to) in [(0, 1), (1, 2), (1, 3)] {
+            input.add_segment(from, to);
+        }
+        input
+    };
+    let drawn = [a, b, c, (140.0, 990.0), (300.0, 800.0)];
+    // Turned by a quarter each time, so that the hull goes in all directions.
+    let turned = |p: (f64, f64)| (-p.1, p.0);
+    let turns = std::iter::successors(Some(drawn), |points| Some(points.map(turned)));
+    for points in turns.take(4) {
+        let input = input(points);
+        let quality = Quality {
+            max_edge: Some(20.0),
+            ..angle(30.0)
+        };
+        let verdict = refine(&input, DomainRule::Hull, quality, Locked::Nothing);
+        let numbers = verdict.certificate.domain.as_ref().expect("numbers");
+        assert_eq!(numbers.added, 0);
+        assert!(numbers.on_segments > 20, "{numbers:?}");
+        // Precision would be an excuse, too, but the angle between hull and segment is the reason.
+        let counts = verdict.counts();
+        assert!(counts.small_input_angle > 10, "{counts:?}");
+        assert_eq!(counts.precision, 0);
+    }
+}
+
 /// The few files of the corpus that are part of the repository.
 const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
 
@@ -163,6 +205,8 @@ fn of_the_corpus_the_report_is_right() {
         for degrees in [20.0, 30.0] {
             let verdict = refine(input, DomainRule::Carve, angle(degrees), Locked::Nothing);
             assert!(verdict.is_met(), "{degrees}");
+            // Some hulls pass segments so closely that features leave no room.
+            let _ = refine(input, DomainRule::Hull, angle(degrees), Locked::Nothing);
         }
     }
 }

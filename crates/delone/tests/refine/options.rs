@@ -58,7 +58,7 @@ fn an_edge_bound_alone_is_enough() {
         ..Quality::default()
     };
     let refined = assert_complete(&job);
-    assert!(refined.report.statistics.longest_edge <= 0.5);
+    assert!(refined.statistics().longest_edge <= 0.5);
     job.quality = Quality {
         max_area: Some(0.1),
         ..Quality::default()
@@ -202,7 +202,7 @@ fn smoothing_keeps_bounds_and_boundary() {
     for passes in [1, 5] {
         job.smoothing = passes;
         let refined = assert_complete(&job);
-        assert!(refined.report.statistics.min_angle >= 25.0 - 1e-9);
+        assert!(refined.statistics().min_angle >= 25.0 - 1e-9);
     }
 }
 

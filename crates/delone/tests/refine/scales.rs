@@ -125,6 +125,23 @@ fn the_same_input_has_the_same_mesh_on_any_number_of_threads() {
 }
 
 #[test]
+fn unmet_triangles_are_the_same_on_any_number_of_threads() {
+    let mut pslg = notch();
+    let loose = delone_testkit::generate::Kind::Uniform.points(30_000, 1);
+    pslg.points.extend(loose);
+    let job = Job {
+        vertices: Some(31_000),
+        ..job(pslg, 30.0)
+    };
+    let judged = mesh(&job);
+    assert!(judged.report.unmet.len() > 10_000);
+    for threads in [1, 4] {
+        let other = job.mesh(threads, &()).unwrap();
+        assert!(is_same(&judged, &other, 0), "{threads} threads");
+    }
+}
+
+#[test]
 fn the_order_of_the_input_changes_nothing_that_matters() {
     // Queues run in the order of the curve, but ties may go by number: only the judgement is the same.
     let original = job(notch(), 30.0);

@@ -86,15 +86,15 @@ fn check_triangle(bounds: &Bounds, shape: &Shape, told: Option<&Unmet>) -> Verdi
     })
 }
 
-/// Smallest angle and longest edge of the report are those of the triangles.
+/// Smallest angle and longest edge of the statistics are those of the triangles.
 fn check_statistics(refined: &RefinedMesh) -> Verdict {
-    let RefinedMesh { mesh, report, .. } = refined;
+    let mesh = &refined.mesh;
     let triangles = mesh.triangulation().triangles();
     let shapes = triangles.iter().map(|t| Shape::of(t.map(|v| at(mesh, v))));
     let (min_angle, longest) = shapes.fold((180.0f64, 0.0f64), |(angle, edge), shape| {
         (angle.min(shape.min_angle()), edge.max(shape.longest()))
     });
-    let told = &report.statistics;
+    let told = refined.statistics();
     let is_right = told.triangles == triangles.len()
         && is_near(told.min_angle, min_angle)
         && is_near(told.longest_edge, longest);

@@ -1,4 +1,4 @@
-use super::{Answer, Cell, Fault, Job, Load, Mesher, Outcome, Plan, Quality, Worker};
+use super::{Answer, Cell, Fault, Job, Load, Mesher, Plan, Quality, Worker};
 use crate::measure::Cost;
 use std::cell::RefCell;
 use std::time::Duration;
@@ -7,19 +7,19 @@ const ONE: Mesher = Mesher::Delone { threads: 1 };
 const TWO: Mesher = Mesher::Delone { threads: 2 };
 
 /// Answers from thin air and remembers what it was asked.
-struct Script<F: Fn(&Job) -> Outcome<Answer>> {
+struct Script<F: Fn(&Job) -> Result<Answer, Fault>> {
     answer: F,
     asked: RefCell<Vec<Job>>,
 }
 
-impl<F: Fn(&Job) -> Outcome<Answer>> Worker for Script<F> {
-    fn mesh(&self, job: &Job, _: Duration) -> Outcome<Answer> {
+impl<F: Fn(&Job) -> Result<Answer, Fault>> Worker for Script<F> {
+    fn mesh(&self, job: &Job, _: Duration) -> Result<Answer, Fault> {
         self.asked.borrow_mut().push(*job);
         (self.answer)(job)
     }
 }
 
-fn done(job: &Job, area: f64, hash: &str) -> Outcome<Answer> {
+fn done(job: &Job, area: f64, hash: &str) -> Result<Answer, Fault> {
     let quality = Quality {
         triangles: 9,
         min_angle: 31.0,
@@ -30,7 +30,7 @@ fn done(job: &Job, area: f64, hash: &str) -> Outcome<Answer> {
         unexcused: None,
         hash: job.mesher.is_ours().then(|| hash.to_owned()),
     };
-    Outcome::Done(Answer {
+    Ok(Answer {
         cost: Cost {
             seconds: 1.0,
             user: 1.0,
@@ -43,7 +43,7 @@ fn done(job: &Job, area: f64, hash: &str) -> Outcome<Answer> {
 
 fn carry_out(
     meshers: &[Mesher],
-    answer: impl Fn(&Job) -> Outcome<Answer>,
+    answer: impl Fn(&Job) -> Result<Answer, Fault>,
 ) -> (Vec<Cell>, Vec<Job>) {
     let plan = Plan {
         meshers: meshers.to_vec(),
@@ -93,7 +93,7 @@ fn whoever_hangs_is_not_asked_for_more() {
     let limit = Duration::from_secs(1);
     let (cells, asked) = carry_out(&[Mesher::Cgal], |job| {
         if job.goal.angle > 25.0 {
-            return Outcome::TimedOut(limit);
+            return Err(Fault::TimedOut(limit));
         }
         done(job, 1.0, "")
     });
@@ -125,10 +125,7 @@ fn a_crash_under_the_clock_revokes_the_mesh() {
         if job.check {
             return done(job, 1.0, "");
         }
-        Outcome::Failed {
-            how: "panic".to_owned(),
-            message: "index".to_owned(),
-        }
+        Err(Fault::failed("panic", "index"))
     });
     assert_eq!(how(&cells[0]), "panic");
 }

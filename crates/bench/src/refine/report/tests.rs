@@ -62,10 +62,7 @@ fn report() -> Report {
     if let Ok(quality) = &mut cells[12].mesh {
         quality.skinny = 7;
     }
-    cells[13].mesh = Err(Fault::Failed {
-        how: "area".to_owned(),
-        message: "2 instead of 1".to_owned(),
-    });
+    cells[13].mesh = Err(Fault::failed("area", "2 instead of 1"));
     let meshers = vec![
         ONE,
         TWO,

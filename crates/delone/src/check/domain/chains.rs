@@ -10,15 +10,18 @@
 //! that is found need not be the one that was meant. A subsegment on any of the ways counts as part
 //! of the segment, and so what depends on chains being told apart, the even–odd rule, may be judged
 //! wrong between them: whoever knows the chains should [say so](super::DomainMesh::with_chains).
+//! Only the chains of the hull are known for sure: to the right of them there is nothing.
 //!
-//! *Cost*: O(log d) for a step from a place with d subsegments, more only where segments run beside
-//! each other within the drift; all attempts beyond these together are limited by the size of the graph.
+//! *Cost*: O(log d) for a step from a place with d subsegments, O(d) for one along the hull; more only where
+//! segments run beside each other within the drift, and all attempts beyond these together are limited by
+//! the size of the graph.
 
 use super::bends::Bends;
 use super::drift::Corridor;
 use super::graph::{Dart, Graph};
 use super::places::Place;
 use crate::pace::Pace;
+use crate::predicates::{Orientation, orient2d};
 use crate::{Error, VertexId};
 
 /// Darts that are tried just because they are there, for each dart and place of the graph: far more
@@ -45,10 +48,12 @@ pub(super) struct Chains {
 }
 
 impl Chains {
-    /// Finds the chain of every segment, or follows those that are claimed.
+    /// Finds the chain of every segment, or follows those that are claimed; the first `num_drawn` are
+    /// drawn, the others are the edges of the hull, counter-clockwise.
     pub fn find(
         graph: &Graph,
         segments: &[[VertexId; 2]],
+        num_drawn: usize,
         claimed: Claim,
         is_refined: bool,
         pace: &mut Pace,
@@ -58,9 +63,10 @@ impl Chains {
             pace.step()?;
             let ends = ends.map(|v| graph.places.of(v));
             let track = Track::new(graph, ends, is_refined);
-            let broken = match claimed(index) {
-                Some(chain) => finder.accept(&track, chain, pace)?,
-                None => finder.search(&track, pace)?,
+            let broken = match (index < num_drawn).then(|| claimed(index)) {
+                Some(Some(chain)) => finder.accept(&track, chain, pace)?,
+                Some(None) => finder.search(&track, pace)?,
+                None => finder.go_round(&track, pace)?,
             };
             match broken {
                 Some(place) => finder.chains.broken.push((index, place)),
@@ -68,7 +74,7 @@ impl Chains {
             }
             finder.chains.starts.push(finder.chains.darts.len());
         }
-        finder.look_closer(segments, claimed, pace)?;
+        finder.look_closer(&segments[..num_drawn], claimed, pace)?;
         Ok(finder.chains)
     }
 
@@ -134,6 +140,8 @@ struct Finder<'a> {
     found: Vec<Dart>,
     ahead: Vec<Dart>,
     passed: Vec<bool>,
+    /// From which places the end is known to be reached; nowhere but while ways are told from others.
+    leads: Vec<bool>,
     /// For each place that was passed, the dart by which it was reached.
     arrived_by: Vec<Dart>,
     /// How many darts may still be tried just because they are there.
@@ -157,6 +165,7 @@ impl<'a> Finder<'a> {
             found: Vec::new(),
             ahead: Vec::new(),
             passed: vec![false; num_places],
+            leads: vec![false; num_places],
             arrived_by: vec![Dart::rightward(0); num_places],
             patience: PATIENCE * (graph.num_darts() + num_places),
         }
@@ -188,6 +197,37 @@ impl<'a> Finder<'a> {
         }
         self.tried.extend(&self.found);
         Ok((at != track.ends[1]).then_some(at))
+    }
+
+    /// Follows an edge of the hull, which has nothing to its right: at each place the first step from
+    /// there is its own. Returns where there is none, if it does not come to its end.
+    fn go_round(&mut self, track: &Track, pace: &mut Pace) -> Result<Option<Place>, Error> {
+        let graph = self.graph;
+        self.tried.clear();
+        self.found.clear();
+        let [mut at, to] = track.ends;
+        while at != to {
+            let mut first: Option<Dart> = None;
+            for &dart in graph.star(at) {
+                pace.step()?;
+                // Steps that go on are less than half a turn apart.
+                let is_before = |other: Dart| {
+                    let [at, other, this] =
+                        [at, graph.dest(other), graph.dest(dart)].map(|p| graph.places.at(p));
+                    orient2d(at, other, this) == Orientation::Right
+                };
+                if first.is_none_or(is_before) && track.permits(graph, dart) {
+                    first = Some(dart);
+                }
+            }
+            let Some(first) = first else {
+                return Ok(Some(at));
+            };
+            self.found.push(first);
+            at = graph.dest(first);
+        }
+        self.tried.extend(&self.found);
+        Ok(None)
     }
 
     /// Looks for the chain of a segment; if there is none, returns the place that was reached last.
@@ -241,7 +281,8 @@ impl<'a> Finder<'a> {
         Ok(())
     }
 
-    /// Goes all ways that `steps` permit; returns the end if one leads there, else the last place.
+    /// Goes all ways that `steps` permit, and forgets those that do not lead to the end; returns the end if
+    /// one does, else the last place.
     fn walk(&mut self, track: &Track, steps: Steps, pace: &mut Pace) -> Result<Place, Error> {
         let [from, to] = track.ends;
         self.tried.clear();
@@ -267,7 +308,39 @@ impl<'a> Finder<'a> {
             pace.step()?;
             self.passed[self.graph.dest(dart) as usize] = false;
         }
+        self.forget_dead_ends(track);
         Ok(reached)
+    }
+
+    /// Forgets the steps that were tried and do not lead to the end.
+    fn forget_dead_ends(&mut self, track: &Track) {
+        let Self {
+            graph,
+            tried,
+            leads,
+            ..
+        } = self;
+        let follow = |steps: &[Dart]| graph.dest(steps[0]) == graph.origin(steps[1]);
+        let ends = tried.last().map(|&dart| graph.dest(dart));
+        if ends == Some(track.ends[1]) && tried.windows(2).all(follow) {
+            return;
+        }
+        // All steps go on, so the farthest know first.
+        tried.sort_by(|&d, &e| {
+            let [d, e] = [d, e].map(|dart| graph.places.at(graph.origin(dart)));
+            track.corridor.compare_ways(e, d)
+        });
+        leads[track.ends[1] as usize] = true;
+        let passed = std::mem::take(tried);
+        tried.extend(passed.iter().filter(|&&dart| {
+            let does_lead = leads[graph.dest(dart) as usize];
+            leads[graph.origin(dart) as usize] |= does_lead;
+            does_lead
+        }));
+        for dart in passed {
+            leads[graph.origin(dart) as usize] = false;
+        }
+        leads[track.ends[1] as usize] = false;
     }
 
     /// Puts the steps from a place upon the stack.

@@ -22,6 +22,7 @@
 
 use crate::Point;
 use crate::predicates::{Orientation, orient2d};
+use std::cmp::Ordering;
 
 /// Units in the last place by which a vertex may lie off its segment, along each axis: sixteen rounds,
 /// twice as many as have ever been seen.
@@ -65,6 +66,24 @@ impl Corridor {
     /// the way stays in it. For refined chains it is enough that the longer axis goes on.
     pub fn goes_on(&self, p: Point, q: Point) -> bool {
         self.goes_on_along_both(p, q) || self.is_refined && self.goes_on_along_longer(p, q)
+    }
+
+    /// Tells which of two points the way from the first end to the second comes to first, if all steps
+    /// [go on](Self::goes_on).
+    pub fn compare_ways(&self, p: Point, q: Point) -> Ordering {
+        let [dx, dy] = extents(self.from, self.to);
+        // Both zeros are one.
+        let compare = |p: f64, q: f64| (p + 0.0).total_cmp(&(q + 0.0));
+        let along = |from: f64, to: f64, p: f64, q: f64| match from <= to {
+            true => compare(p, q),
+            false => compare(q, p),
+        };
+        let x = || along(self.from.x, self.to.x, p.x, q.x);
+        let y = || along(self.from.y, self.to.y, p.y, q.y);
+        match dx >= dy {
+            true => x().then_with(y),
+            false => y().then_with(x),
+        }
     }
 
     fn goes_on_along_both(&self, p: Point, q: Point) -> bool {

@@ -340,10 +340,9 @@ impl<'v> DomainVerifier<'v, '_> {
     ) -> Result<Option<Chains>, Error> {
         let (mesh, input) = (self.mesh, self.input);
         let pace = &mut self.verifier.pace;
-        // Of the hull nobody needs to know which chain was meant: nothing is counted along it.
-        let claimed = |segment| mesh.chains.filter(|_| segment < input.segments.len());
-        let claimed = |segment| claimed(segment).map(|chains| chains(segment));
-        let chains = Chains::find(graph, segments, &claimed, mesh.is_refined, pace)?;
+        let claimed = |segment| mesh.chains.map(|chains| chains(segment));
+        let drawn = input.segments.len();
+        let chains = Chains::find(graph, segments, drawn, &claimed, mesh.is_refined, pace)?;
         let is_steiner = |place: Place| {
             mesh.is_refined && graph.places.vertex(place).index() >= input.points.len()
         };

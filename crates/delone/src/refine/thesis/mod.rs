@@ -78,7 +78,7 @@ pub(super) fn refine(
     }
     let (mesh, outcome) = run.hand_out(&steiner, saved, outcome, observer)?;
     let report = verdict::report(&mesh, refinement.quality, outcome);
-    Ok(RefinedMesh { mesh, report })
+    Ok(RefinedMesh::new(mesh, report))
 }
 
 /// Refuses what the thesis does not know.

@@ -4,7 +4,6 @@ use super::shape::{Shape, length};
 use crate::refine::{Outcome, Report, reasons};
 use crate::{
     Broken, ConstrainedTriangulation, HalfEdgeId, Locked, Origin, Quality, TriangleId, VertexId,
-    check,
 };
 
 /// Reports on a mesh that was made for `asked`.
@@ -19,7 +18,6 @@ pub(super) fn report(mesh: &ConstrainedTriangulation, asked: Quality, outcome: O
     Report {
         outcome,
         asked,
-        statistics: check::statistics(t.points(), t.triangles()),
         unmet: reasons::explain(mesh, unmet.collect(), Locked::Nothing, true),
         on_segments: mesh.num_steiner() - free,
         free,
