@@ -29,15 +29,8 @@ pub(super) fn hand_out(
     } = faces;
     let num_finite = mesh.num_faces() - mesh.ghosts().count();
     let num_triangles = outside.iter().filter(|&&o| !o).count();
-    let class = |t: usize| match outside[t] {
-        false => 0,
-        true if !mesh.is_ghost(TriangleId::new(t)) => 1,
-        true => 2,
-    };
-    if !(0..outside.len()).is_sorted_by_key(class) {
-        let mut order: Vec<usize> = (0..outside.len()).collect();
-        order.sort_by_key(|&t| class(t));
-        let order: Vec<_> = order.into_iter().map(TriangleId::new).collect();
+    if !stand_in_order(&mesh, &outside) {
+        let order = in_order(&mesh, &outside, [num_triangles, num_finite]);
         mesh.reorder_faces(&order);
         constrained = permute(&constrained, &order);
         region_of = permute(&region_of, &order);
@@ -65,6 +58,32 @@ pub(super) fn hand_out(
         warnings,
         along: Default::default(),
     })
+}
+
+/// The place of face `t` in the order: a triangle of the domain, one that was carved away, or a ghost.
+fn class(mesh: &Mesh, outside: &[bool], t: TriangleId) -> usize {
+    match outside[t.index()] {
+        false => 0,
+        true if !mesh.is_ghost(t) => 1,
+        true => 2,
+    }
+}
+
+fn stand_in_order(mesh: &Mesh, outside: &[bool]) -> bool {
+    let faces = (0..outside.len()).map(TriangleId::new);
+    faces.is_sorted_by_key(|t| class(mesh, outside, t))
+}
+
+/// Lists the faces class by class, each in the order of the faces, given where the later classes begin.
+fn in_order(mesh: &Mesh, outside: &[bool], [carved, ghosts]: [usize; 2]) -> Vec<TriangleId> {
+    let mut order = vec![TriangleId::new(0); outside.len()];
+    let mut next = [0, carved, ghosts];
+    for t in (0..outside.len()).map(TriangleId::new) {
+        let place = &mut next[class(mesh, outside, t)];
+        order[*place] = t;
+        *place += 1;
+    }
+    order
 }
 
 /// Collects what belongs to each face in a new order; nothing stays nothing.
