@@ -9,6 +9,7 @@
 //! shells (Ruppert 1995), continued along the whole line.
 
 use super::canvas::Canvas;
+use crate::predicates::point_between;
 use crate::{HalfEdgeId, Point, VertexId};
 
 /// Stands for the line of a vertex that is on none.
@@ -190,7 +191,7 @@ impl Line {
     ) -> Point {
         let [x, y] = ends.map(|v| canvas.point(v));
         if let Some(t) = culprit.and_then(|culprit| touching(canvas, [x, y], culprit)) {
-            return Point::new(x.x + t * (y.x - x.x), x.y + t * (y.y - x.y));
+            return point_between([x, y], t);
         }
         let t = match (self.corner(canvas, ends, culprit), culprit) {
             (Some(corner), _) => on_shell([x, y], corner, culprit),
@@ -199,7 +200,7 @@ impl Line {
         };
         match t == 0.5 || !(0.2..=0.8).contains(&t) {
             true => Point::new(0.5 * x.x + 0.5 * y.x, 0.5 * x.y + 0.5 * y.y),
-            false => Point::new(x.x + t * (y.x - x.x), x.y + t * (y.y - x.y)),
+            false => point_between([x, y], t),
         }
     }
 
