@@ -76,7 +76,7 @@ pub(super) fn smooth(
 }
 
 /// What some triangles are like.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Worth {
     /// The sum over triangles of area divided by squared lengths of edges.
     quality: f64,
@@ -86,8 +86,8 @@ struct Worth {
     broken: usize,
     /// By how much the worst of them is too large.
     oversize: f64,
-    /// How many are too close to one of their own segments.
-    encroached: usize,
+    /// Vertices too close to a segment of their triangle, each before the ends of that.
+    encroached: Vec<[VertexId; 3]>,
 }
 
 /// Moves vertices of a canvas.
@@ -222,17 +222,20 @@ impl<'a> Smoother<'a> {
             };
             let is_broken = oversize > 1.0 || self.bounds.is_skinny(shape.squares, shape.cross);
             worth.add(&shape, oversize, is_broken);
-            worth.encroached += usize::from(self.is_encroached(&face));
+            worth.encroached.extend(self.encroached(&face));
         }
         worth
     }
 
-    /// Tells whether the triangle is too close to one of its own segments.
-    fn is_encroached(&self, face: &Face) -> bool {
-        let [a, b, c] = face.points;
-        let edges = [([b, c], a), ([c, a], b), ([a, b], c)];
-        let mut segments = (0..3).filter(|&k| face.traits.is_constrained(k));
-        segments.any(|k| self.bounds.encroaches(edges[k].0, edges[k].1))
+    /// Lists the vertices of a triangle that are too close to the segment opposite, each before its ends.
+    fn encroached(&self, face: &Face) -> impl Iterator<Item = [VertexId; 3]> {
+        let segments = (0..3).filter(|&k| face.traits.is_constrained(k));
+        let slots = segments.map(|k| [k, (k + 1) % 3, (k + 2) % 3]);
+        let close = slots.filter(|&[k, i, j]| {
+            let ends = [face.points[i], face.points[j]];
+            self.bounds.encroaches(ends, face.points[k])
+        });
+        close.map(|slots| slots.map(|k| face.corners[k]))
     }
 }
 
@@ -244,7 +247,7 @@ impl Default for Worth {
             sine: 1.0,
             broken: 0,
             oversize: 0.0,
-            encroached: 0,
+            encroached: Vec::new(),
         }
     }
 }
@@ -266,7 +269,8 @@ impl Worth {
         // With a margin, so that rounding makes no vertex wander for ever.
         self.quality > before.quality * (1.0 + 1e-9)
             && self.broken <= before.broken
-            && self.encroached <= before.encroached
+            // One for another will not do: some cannot be avoided, others could be split no more.
+            && self.encroached.iter().all(|e| before.encroached.contains(e))
             && self.sine >= before.sine.min(MODEST)
             && (self.broken == 0 || self.sine >= before.sine && self.oversize <= before.oversize)
     }
