@@ -155,7 +155,9 @@ pub enum Encroachment {
     #[default]
     Lens,
     /// A vertex lies in its diametral circle (Ruppert 1995). Then the mesh is *conforming*: all its
-    /// triangles are Delaunay, segments or not.
+    /// triangles are Delaunay, segments or not. Only what is [locked](Refinement::locked) stays as it is,
+    /// and a segment that a vertex is nearer to than 2¹² units in the last place of their largest
+    /// coordinate.
     Circle,
 }
 

@@ -405,6 +405,22 @@ fn conforming_meshes_have_no_vertex_in_a_diametral_circle() {
 }
 
 #[test]
+fn a_vertex_too_close_to_a_segment_for_another_excuses_that_it_is_encroached_upon() {
+    for (units, excuse) in [(4095.0, Some(Excuse::Precision)), (4097.0, None)] {
+        let mut input = Pslg::default();
+        add_square(&mut input, [2.0, 2.0], 8.0);
+        input.points.extend([point(0.5, 1.0), point(1.5, 1.0)]);
+        input.add_segment(4, 5);
+        let mut mesh = carved(&input);
+        let apex = mesh.free(1.0, 1.0 + units * f64::EPSILON);
+        mesh.triangulate().unwrap();
+        let verdict = mesh.judge(&Asked::new(Quality::default()).conforming());
+        let found = verdict.encroached.iter().find(|e| e.apex == apex);
+        assert_eq!(found.unwrap().excuse, excuse, "{units} units");
+    }
+}
+
+#[test]
 fn the_worst_come_first() {
     let mut mesh = wedge(5.0);
     let inside = point(7.9, 0.3);

@@ -75,14 +75,17 @@ impl<'e> Excuses<'e> {
         )
     }
 
-    /// Finds what excuses a subsegment for not having been split.
-    pub fn of_subsegment(&self, ends: [VertexId; 2]) -> Option<Excuse> {
-        let [a, b] = ends.map(|v| self.found.points[v.index()]);
+    /// Finds what excuses a subsegment for not having been split, with a vertex inside its circle.
+    pub fn of_subsegment(&self, ends: [VertexId; 2], apex: VertexId) -> Option<Excuse> {
         if self.is_locked_between(ends) {
             return Some(Excuse::Locked);
         }
-        let length = (b.x - a.x).hypot(b.y - a.y);
-        self.lacks_room(&ends, length).then_some(Excuse::Precision)
+        let vertices = [apex, ends[0], ends[1]];
+        // The longest edge is the subsegment, so the height upon it is how near the vertex is.
+        let shape = Shape::of(vertices.map(|v| self.found.points[v.index()]));
+        let height = shape.edges[0] / shape.aspect;
+        self.lacks_room(&vertices, height)
+            .then_some(Excuse::Precision)
     }
 
     /// Tells whether a dart must not be split.

@@ -274,7 +274,7 @@ impl Judge<'_> {
                 encroached.push(Encroached {
                     edge: [a, b],
                     apex,
-                    excuse: excuses.of_subsegment([a, b]),
+                    excuse: excuses.of_subsegment([a, b], apex),
                 });
             }
         }
