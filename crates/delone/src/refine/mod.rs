@@ -17,7 +17,7 @@
 //! | [`bounds`], [`queue`] | what is bad, and what comes next |
 //! | [`candidates`] | where a vertex could help |
 //! | [`lines`] | segments: where they are cut, and the chains they become |
-//! | [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
+//! | [`reasons`], [`longest`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
 //! | [`smooth`](mod@smooth), [`patch`] | vertices moved to better places afterwards |
 //! | [`sizing`] | how large triangles may be, place by place |
 //! | [`thesis`] | the other strategy, which shares only the first and the last steps |
@@ -126,6 +126,7 @@ mod cavity;
 mod corners;
 mod handing;
 mod lines;
+mod longest;
 mod patch;
 mod queue;
 mod reasons;
