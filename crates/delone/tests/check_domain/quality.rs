@@ -314,10 +314,16 @@ fn what_must_not_be_split_excuses_the_triangles_at_it() {
     };
     let all = mesh.triangles.len();
     assert_eq!(judge(Locked::Nothing), [0, all]);
-    let [boundary, rest] = judge(Locked::Boundary);
-    assert_eq!([boundary, rest], [4, all - 4]);
-    let [segments, rest] = judge(Locked::Segments);
-    assert_eq!([segments, rest], [6, all - 6]);
+    // The others hang on those at the boundary by their longest edges.
+    assert_eq!(judge(Locked::Boundary), [all, 0]);
+    assert_eq!(judge(Locked::Segments), [all, 0]);
+    // Two triangles on both sides of their longest edge hang on nothing.
+    for (x, y) in [(1.9, 1.5), (2.1, 1.5), (2.0, 1.33), (2.0, 1.67)] {
+        mesh.free(x, y);
+    }
+    mesh.triangulate().unwrap();
+    let verdict = mesh.judge(&Asked::new(edge(0.15)).locked(Locked::Boundary));
+    assert!(verdict.counts().unexcused >= 2);
 }
 
 #[test]

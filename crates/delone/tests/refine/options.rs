@@ -280,7 +280,8 @@ fn what_hangs_on_a_locked_edge_is_excused_and_nothing_else_is_left() {
             let hangs = refined.report.unmet.iter().filter(|unmet| {
                 let mut edges = unmet.triangle.half_edges().into_iter();
                 unmet.reason == Reason::LockedBoundary
-                    && !edges.any(|h| mesh.mesh().twin(h).triangle().index() >= mesh.num_triangles())
+                    && !edges
+                        .any(|h| mesh.mesh().twin(h).triangle().index() >= mesh.num_triangles())
             });
             assert!(hangs.count() > 0, "{locked:?} {degrees}");
         }
