@@ -45,6 +45,19 @@ impl Double {
     }
 }
 
+/// Returns `a + t(b − a)` rounded once: off by at most half a unit in its last place, and 2⁻¹⁰⁰ of b − a.
+/// Where b − a overflows, or its products do, by a few units of the larger of `a` and `b`.
+#[inline]
+pub(super) fn interpolated([a, b]: [f64; 2], t: f64) -> f64 {
+    let factor = Double { high: t, low: 0.0 };
+    let way = &Double::sum(b, -a) * &factor;
+    let sum = (way + a).high;
+    match sum.is_finite() {
+        true => sum,
+        false => (1.0 - t) * a + t * b,
+    }
+}
+
 /// Splits into a sum of two numbers of at most 26 bits each.
 #[inline(always)]
 fn halves(a: f64) -> [f64; 2] {
@@ -104,5 +117,29 @@ impl Div for Double {
         let back = Self::product(quotient, b.high);
         let rest = (((self.high - back.high) - back.low) + self.low) - quotient * b.low;
         Self::ordered_sum(quotient, rest / b.high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::interpolated;
+
+    #[test]
+    fn interpolation_rounds_once() {
+        // The way back from 7.4 takes one digit more than a rounded product has.
+        let (a, b, t) = (7.415_023_051_653_653_f64, -9.673_080_687_424_875, 0.581_322);
+        let rounded = a + t * (b - a);
+        let found = interpolated([a, b], t);
+        assert!(rounded != found && (rounded - found).abs() < 1e-14);
+        assert_eq!(interpolated([1.0, 3.0], 0.5), 2.0);
+        assert_eq!(interpolated([0.1, 0.7], 0.0), 0.1);
+        assert_eq!(interpolated([0.1, 0.7], 1.0), 0.7);
+    }
+
+    #[test]
+    fn interpolation_overflows_nowhere() {
+        let far = interpolated([-f64::MAX, f64::MAX], 0.25) / f64::MAX;
+        assert!((far + 0.5).abs() < 1e-15);
+        assert_eq!(interpolated([0.0, 1e-323], 0.5), 5e-324);
     }
 }

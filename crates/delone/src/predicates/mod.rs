@@ -240,6 +240,13 @@ pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
     crossing::crossing(s, t).0
 }
 
+/// Returns the point that divides the segment from `a` to `b` at the share `t` of its length, each
+/// coordinate rounded once: off by half a unit in its last place, for all but overflowing differences.
+pub(crate) fn point_between([a, b]: [Point; 2], t: f64) -> Point {
+    let [x, y] = [[a.x, b.x], [a.y, b.y]].map(|ends| double::interpolated(ends, t));
+    Point::new(x, y)
+}
+
 /// Tells whether a segment passes `p` as far as `f64` can tell: its point of the same abscissa, or of
 /// the same ordinate, rounds to `p`. Its ends do not count.
 pub(crate) fn passes([a, b]: [Point; 2], p: Point) -> bool {

@@ -9,6 +9,7 @@
 //! shells (Ruppert 1995), continued along the whole line.
 
 use super::canvas::Canvas;
+use crate::predicates::point_between;
 use crate::{HalfEdgeId, Point, VertexId};
 
 /// Stands for the line of a vertex that is on none.
@@ -189,17 +190,17 @@ impl Line {
         culprit: Option<Culprit>,
     ) -> Point {
         let [x, y] = ends.map(|v| canvas.point(v));
-        if let Some(t) = culprit.and_then(|culprit| touching(canvas, [x, y], culprit)) {
-            return Point::new(x.x + t * (y.x - x.x), x.y + t * (y.y - x.y));
+        if let Some(culprit) = culprit.filter(|culprit| touches(canvas, [x, y], culprit)) {
+            return point_between([x, y], foot([x, y], culprit.at));
         }
         let t = match (self.corner(canvas, ends, culprit), culprit) {
             (Some(corner), _) => on_shell([x, y], corner, culprit),
             (None, Some(culprit)) => beside([x, y], culprit),
             (None, None) => 0.5,
         };
-        match t == 0.5 || !(0.2..=0.8).contains(&t) {
+        match t == 0.5 || !(0.25..=0.75).contains(&t) {
             true => Point::new(0.5 * x.x + 0.5 * y.x, 0.5 * x.y + 0.5 * y.y),
-            false => Point::new(x.x + t * (y.x - x.x), x.y + t * (y.y - x.y)),
+            false => point_between([x, y], t),
         }
     }
 
@@ -252,18 +253,23 @@ pub(super) enum Nature {
     Middle,
 }
 
-/// Returns where a subsegment comes nearest to the culprit, if there is no room for a vertex between. A
-/// vertex there makes the gap an edge, the shortest one for the triangles on both of its sides, and
+/// Tells whether there is no room for a vertex between a subsegment and the culprit beside it. A vertex where
+/// they come nearest makes the gap an edge, the shortest one for the triangles on both of its sides, and
 /// coordinates have nothing better to offer; anywhere else it would only make one more such gap.
-fn touching(canvas: &Canvas, [x, y]: [Point; 2], culprit: Culprit) -> Option<f64> {
+fn touches(canvas: &Canvas, [x, y]: [Point; 2], culprit: &Culprit) -> bool {
     let [ux, uy] = [y.x - x.x, y.y - x.y];
     let [vx, vy] = [culprit.at.x - x.x, culprit.at.y - x.y];
-    let squared = ux * ux + uy * uy;
-    let height = (ux * vy - uy * vx).abs() / squared.sqrt();
+    let height = (ux * vy - uy * vx).abs() / (ux * ux + uy * uy).sqrt();
+    let t = foot([x, y], culprit.at);
     let is_vertex = matches!(culprit.nature, Nature::Vertex { .. });
-    let t = (ux * vx + uy * vy) / squared;
-    let is_inside = 0.0 < t && t < 1.0;
-    (is_vertex && is_inside && height < canvas.closest(culprit.at)).then_some(t)
+    is_vertex && 0.0 < t && t < 1.0 && height < canvas.closest(culprit.at)
+}
+
+/// Returns the share of the way from `x` to `y` at which that comes nearest to `p`.
+fn foot([x, y]: [Point; 2], p: Point) -> f64 {
+    let [ux, uy] = [y.x - x.x, y.y - x.y];
+    let [vx, vy] = [p.x - x.x, p.y - x.y];
+    (ux * vx + uy * vy) / (ux * ux + uy * uy)
 }
 
 /// Returns where to split a subsegment so that the vertex lies as far from an acute corner as the culprit,
@@ -290,7 +296,7 @@ fn beside([x, y]: [Point; 2], culprit: Culprit) -> f64 {
     let [vx, vy] = [culprit.at.x - x.x, culprit.at.y - x.y];
     let squared = ux * ux + uy * uy;
     let Nature::Vertex { reach } = culprit.nature else {
-        return ((ux * vx + uy * vy) / squared).clamp(0.25, 0.75);
+        return foot([x, y], culprit.at).clamp(0.25, 0.75);
     };
     // How many pieces of the length that the other line permits there is room for, and how many of them
     // lie between the middle and halfway between two vertices beyond.
@@ -298,7 +304,7 @@ fn beside([x, y]: [Point; 2], culprit: Culprit) -> f64 {
     if !(1.0..1e9).contains(&room) {
         return 0.5;
     }
-    let t = (ux * vx + uy * vy) / squared;
+    let t = foot([x, y], culprit.at);
     let steps = ((0.5 - t) * room - 0.5).round() + 0.5;
     (t + steps / room).clamp(0.25, 0.75)
 }

@@ -17,7 +17,7 @@
 //! | [`bounds`], [`queue`] | what is bad, and what comes next |
 //! | [`candidates`] | where a vertex could help |
 //! | [`lines`] | segments: where they are cut, and the chains they become |
-//! | [`refined`], [`reasons`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
+//! | [`refined`], [`reasons`], [`longest`], [`report`], [`budget`] | what was reached, what not and why, and how far to go |
 //! | [`relocate`] | vertices of the lattice moved instead of others added |
 //! | [`smooth`](mod@smooth) | vertices moved to better places afterwards |
 //! | [`patch`], [`worth`] | what a move changes, and whether that is worth it |
@@ -130,6 +130,7 @@ mod cavity;
 mod corners;
 mod handing;
 mod lines;
+mod longest;
 mod patch;
 mod queue;
 mod reasons;
@@ -160,7 +161,9 @@ pub enum Encroachment {
     #[default]
     Lens,
     /// A vertex lies in its diametral circle (Ruppert 1995). Then the mesh is *conforming*: all its
-    /// triangles are Delaunay, segments or not.
+    /// triangles are Delaunay, segments or not. Only what is [locked](Refinement::locked) stays as it is,
+    /// and a segment that a vertex is nearer to than 2¹² units in the last place of their largest
+    /// coordinate.
     Circle,
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Face {
     pub points: [Point; 3],
     pub traits: Traits,
     pub region: u32,
-    corners: [VertexId; 3],
+    pub corners: [VertexId; 3],
     twins: [HalfEdgeId; 3],
 }
 

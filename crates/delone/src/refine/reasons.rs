@@ -3,6 +3,7 @@
 use super::bounds::{Bounds, Shape};
 use super::canvas::Canvas;
 use super::corners::Corners;
+use super::longest::Paths;
 use super::{Reason, Unmet};
 use crate::check;
 use crate::parallel::Workers;
@@ -85,6 +86,7 @@ pub(super) fn explain(
     let mut why = Why {
         mesh,
         corners: Corners::of(mesh),
+        paths: Paths::of(mesh),
         locked,
         is_stopped,
     };
@@ -104,6 +106,7 @@ pub(super) fn explain(
 struct Why<'a> {
     mesh: &'a ConstrainedTriangulation,
     corners: Corners<'a>,
+    paths: Paths<'a>,
     locked: Locked,
     is_stopped: bool,
 }
@@ -118,7 +121,7 @@ impl Why<'_> {
         {
             return reason;
         }
-        if t.half_edges().into_iter().any(|h| self.is_locked(h)) {
+        if self.is_locked_in(t) {
             return Reason::LockedBoundary;
         }
         let points = corners.map(|v| self.mesh.triangulation().point(v));
@@ -134,16 +137,14 @@ impl Why<'_> {
         }
     }
 
-    fn is_locked(&self, h: HalfEdgeId) -> bool {
-        let is_boundary = || {
-            let twin = self.mesh.triangulation().mesh().twin(h);
-            twin.triangle().index() >= self.mesh.triangulation().num_triangles()
-        };
-        match self.locked {
-            Locked::Nothing => false,
-            Locked::Boundary => self.mesh.is_constrained(h) && is_boundary(),
-            Locked::Segments => self.mesh.is_constrained(h),
+    /// Tells whether an edge of a triangle is locked, or that at the end of its path of longest edges.
+    fn is_locked_in(&mut self, t: TriangleId) -> bool {
+        if self.locked == Locked::Nothing {
+            return false;
         }
+        let (mesh, locked) = (self.mesh, self.locked);
+        let is_locked = |h| is_locked(mesh, locked, h);
+        t.half_edges().into_iter().any(is_locked) || self.paths.ends_at(t, is_locked)
     }
 
     /// Looks for two segments that meet below 60 degrees: at a corner of the triangle, or through the ends
@@ -162,6 +163,18 @@ impl Why<'_> {
                 self.corners.joined_by(ends)
             })
         })
+    }
+}
+
+fn is_locked(mesh: &ConstrainedTriangulation, locked: Locked, h: HalfEdgeId) -> bool {
+    let is_boundary = || {
+        let twin = mesh.triangulation().mesh().twin(h);
+        twin.triangle().index() >= mesh.triangulation().num_triangles()
+    };
+    match locked {
+        Locked::Nothing => false,
+        Locked::Boundary => mesh.is_constrained(h) && is_boundary(),
+        Locked::Segments => mesh.is_constrained(h),
     }
 }
 

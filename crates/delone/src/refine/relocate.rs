@@ -69,7 +69,7 @@ impl Refiner<'_> {
     /// Moves the vertex from which `spoke` starts, unless as many triangles break a bound afterwards.
     fn move_to(&mut self, spoke: HalfEdgeId, place: Point) -> bool {
         let has_less_broken = |before: &Worth, after: &Worth| {
-            after.broken < before.broken && after.encroached <= before.encroached
+            after.broken < before.broken && after.encroaches_nothing_new(before)
         };
         let mut patch = std::mem::take(&mut self.patch);
         let (canvas, bounds) = (&mut self.canvas, &self.bounds);

@@ -35,7 +35,15 @@ pub enum Reason {
         /// The angle between them.
         angle: Angle,
     },
-    /// One of its edges lies on a boundary that must not be split.
+    /// One of its edges is locked, that is, lies on a boundary that must not be split; or its path of
+    /// longest edges ends at a locked one.
+    ///
+    /// The path leads across the longest edge into the triangle beyond, and from there across the longest
+    /// edge again, as long as edges get longer; of equally long ones it takes that opposite the
+    /// lexicographically smallest corner. A triangle with a locked edge ab has another that is at least half
+    /// as long, the one beyond that edge has one of at least a quarter, and so on: near long locked edges
+    /// some triangles have to be large, or skinny, that do not touch them. Those hang on the locked edge by
+    /// such a path. Where it ends at any other edge, that could be split.
     LockedBoundary,
     /// Coordinates have no room for another vertex: its shortest edge is below 2¹² units in the last
     /// place of its largest coordinate.

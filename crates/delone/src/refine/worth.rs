@@ -2,13 +2,14 @@
 
 use super::bounds::{Bounds, Shape};
 use super::patch::Face;
+use crate::VertexId;
 
 /// The squared sine of 30 degrees. Whatever the bound, an angle below stays the smallest one around only
 /// if it grows.
 const MODEST: f64 = 0.25;
 
 /// What some triangles are like.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Worth {
     /// The sum over triangles of area divided by squared lengths of edges.
     quality: f64,
@@ -18,8 +19,8 @@ pub(super) struct Worth {
     pub broken: usize,
     /// By how much the worst of them is too large.
     oversize: f64,
-    /// How many are too close to one of their own segments.
-    pub encroached: usize,
+    /// Vertices too close to a segment of their triangle, each before the ends of that.
+    encroached: Vec<[VertexId; 3]>,
 }
 
 impl Worth {
@@ -30,7 +31,7 @@ impl Worth {
             sine: 1.0,
             broken: 0,
             oversize: 0.0,
-            encroached: 0,
+            encroached: Vec::new(),
         };
         for face in faces {
             worth.add(bounds, &face);
@@ -53,7 +54,15 @@ impl Worth {
             .min(shape.cross * shape.cross / (high * low.max(c)));
         self.broken += usize::from(is_broken);
         self.oversize = self.oversize.max(oversize);
-        self.encroached += usize::from(is_encroached(bounds, face));
+        self.encroached.extend(encroached(bounds, face));
+    }
+
+    /// Tells whether whatever is encroached upon was so before, by the same vertex. One for another will not
+    /// do: some cannot be avoided, others could be split no more.
+    pub fn encroaches_nothing_new(&self, before: &Self) -> bool {
+        self.encroached
+            .iter()
+            .all(|e| before.encroached.contains(e))
     }
 
     /// Tells whether as many triangles are better on average, and none for the price of a bound.
@@ -61,16 +70,19 @@ impl Worth {
         // With a margin, so that rounding makes no vertex wander for ever.
         self.quality > before.quality * (1.0 + 1e-9)
             && self.broken <= before.broken
-            && self.encroached <= before.encroached
+            && self.encroaches_nothing_new(before)
             && self.sine >= before.sine.min(MODEST)
             && (self.broken == 0 || self.sine >= before.sine && self.oversize <= before.oversize)
     }
 }
 
-/// Tells whether the triangle is too close to one of its own segments.
-fn is_encroached(bounds: &Bounds, face: &Face) -> bool {
-    let [a, b, c] = face.points;
-    let edges = [([b, c], a), ([c, a], b), ([a, b], c)];
-    let mut segments = (0..3).filter(|&k| face.traits.is_constrained(k));
-    segments.any(|k| bounds.encroaches(edges[k].0, edges[k].1))
+/// Lists the vertices of a triangle that are too close to the segment opposite, each before its ends.
+fn encroached<'a>(bounds: &'a Bounds, face: &'a Face) -> impl Iterator<Item = [VertexId; 3]> + 'a {
+    let segments = (0..3).filter(|&k| face.traits.is_constrained(k));
+    let slots = segments.map(|k| [k, (k + 1) % 3, (k + 2) % 3]);
+    let close = slots.filter(|&[k, i, j]| {
+        let ends = [face.points[i], face.points[j]];
+        bounds.encroaches(ends, face.points[k])
+    });
+    close.map(|slots| slots.map(|k| face.corners[k]))
 }

@@ -314,10 +314,16 @@ fn what_must_not_be_split_excuses_the_triangles_at_it() {
     };
     let all = mesh.triangles.len();
     assert_eq!(judge(Locked::Nothing), [0, all]);
-    let [boundary, rest] = judge(Locked::Boundary);
-    assert_eq!([boundary, rest], [4, all - 4]);
-    let [segments, rest] = judge(Locked::Segments);
-    assert_eq!([segments, rest], [6, all - 6]);
+    // The others hang on those at the boundary by their longest edges.
+    assert_eq!(judge(Locked::Boundary), [all, 0]);
+    assert_eq!(judge(Locked::Segments), [all, 0]);
+    // Two triangles on both sides of their longest edge hang on nothing.
+    for (x, y) in [(1.9, 1.5), (2.1, 1.5), (2.0, 1.33), (2.0, 1.67)] {
+        mesh.free(x, y);
+    }
+    mesh.triangulate().unwrap();
+    let verdict = mesh.judge(&Asked::new(edge(0.15)).locked(Locked::Boundary));
+    assert!(verdict.counts().unexcused >= 2);
 }
 
 #[test]
@@ -402,6 +408,22 @@ fn conforming_meshes_have_no_vertex_in_a_diametral_circle() {
     // Nobody asked.
     let verdict = mesh.judge(&Asked::new(Quality::default()));
     assert!(verdict.encroached.is_empty());
+}
+
+#[test]
+fn a_vertex_too_close_to_a_segment_for_another_excuses_that_it_is_encroached_upon() {
+    for (units, excuse) in [(4095.0, Some(Excuse::Precision)), (4097.0, None)] {
+        let mut input = Pslg::default();
+        add_square(&mut input, [2.0, 2.0], 8.0);
+        input.points.extend([point(0.5, 1.0), point(1.5, 1.0)]);
+        input.add_segment(4, 5);
+        let mut mesh = carved(&input);
+        let apex = mesh.free(1.0, 1.0 + units * f64::EPSILON);
+        mesh.triangulate().unwrap();
+        let verdict = mesh.judge(&Asked::new(Quality::default()).conforming());
+        let found = verdict.encroached.iter().find(|e| e.apex == apex);
+        assert_eq!(found.unwrap().excuse, excuse, "{units} units");
+    }
 }
 
 #[test]

@@ -264,3 +264,26 @@ fn errors_of_the_input_are_handed_on() {
         "{error}"
     );
 }
+
+#[test]
+fn what_hangs_on_a_locked_edge_is_excused_and_nothing_else_is_left() {
+    // Long sides and a short one: near the long ones edges cannot be as short as asked for.
+    let mut pslg = ring([(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (0.3, 5.0), (0.0, 5.0)]);
+    pslg.points.push(Point::new(4.0, 0.2));
+    for locked in [Locked::Boundary, Locked::Segments] {
+        for degrees in [20.0, 25.0, 30.0] {
+            let mut job = job(pslg.clone(), degrees);
+            job.quality.max_edge = Some(0.5);
+            job.locked = locked;
+            let refined = assert_complete(&job);
+            let mesh = refined.mesh.triangulation();
+            let hangs = refined.report.unmet.iter().filter(|unmet| {
+                let mut edges = unmet.triangle.half_edges().into_iter();
+                unmet.reason == Reason::LockedBoundary
+                    && !edges
+                        .any(|h| mesh.mesh().twin(h).triangle().index() >= mesh.num_triangles())
+            });
+            assert!(hangs.count() > 0, "{locked:?} {degrees}");
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use crate::support::{
     USUAL, asking, assert_complete, assert_ends, assert_ends_beyond, job, mesh, ring, square,
 };
-use delone::{DomainRule, Outcome, Point, Pslg};
+use delone::{DomainRule, Encroachment, Outcome, Point, Pslg};
 use delone_testkit::refined::Job;
 
 #[test]
@@ -201,4 +201,44 @@ fn bare_points_keep_their_hull_and_are_refined() {
         let appended = refined.mesh.segments().len() - refined.mesh.num_input_segments();
         assert_eq!(appended, edges);
     }
+}
+
+#[test]
+fn segments_that_overlap_but_for_rounding_are_split_until_none_is_encroached_upon() {
+    // The second segment ends beside the first one, a few units off.
+    let mut pslg = Pslg::from_points([
+        (-4.8406105001918815, -9.673080687424875),
+        (9.681221000383763, 19.34616137484975),
+        (14.2662896556027, 6.817109318651372),
+        (30.657199834548585, 61.26284435369088),
+    ]);
+    for [a, b] in [[3, 0], [2, 0], [0, 1], [1, 2]] {
+        pslg.add_segment(a, b);
+    }
+    let mut job = job(pslg, 0.0);
+    job.encroachment = Encroachment::Circle;
+    job.domain.rule = DomainRule::EvenOdd;
+    // The judge looks for vertices in circles.
+    let refined = assert_complete(&job);
+    assert!(refined.report.on_segments > 2);
+}
+
+#[test]
+fn smoothing_takes_no_vertex_into_a_circle_in_exchange_for_another() {
+    // Two corners are three units apart, so one lies in a circle for good.
+    let mut pslg = Pslg::from_points([
+        (2.206414750829339, 2.2653330764641892),
+        (-0.029459162817425555, 2.235873913646764),
+        (2.176955588011915, 4.501206990110953),
+        (0.858998570077796, 2.694832361503087),
+        (0.42949928503889767, 1.3474161807515437),
+        (-0.029459162817425333, 2.235873913646764),
+    ]);
+    pslg.add_segment(0, 5);
+    pslg.add_segment(5, 1);
+    let mut job = job(pslg, 20.0);
+    job.encroachment = Encroachment::Circle;
+    job.domain.rule = DomainRule::Hull;
+    job.smoothing = 2;
+    assert_complete(&job);
 }

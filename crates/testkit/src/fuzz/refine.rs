@@ -140,7 +140,7 @@ fn check_result(job: &Job, is_deep: bool) -> Result<(), String> {
 }
 
 /// Tells that a job has small whole numbers for coordinates, no tiny crossings, and asks for nothing
-/// that is difficult, nor locks anything: it must be finished.
+/// that is difficult: it must be finished. What is locked forbids no more than it excuses.
 fn is_plain(job: &Job) -> bool {
     let is_small = |c: f64| c.fract() == 0.0 && c.abs() < 10.0;
     let points = &job.domain.pslg.points;
@@ -150,7 +150,6 @@ fn is_plain(job: &Job) -> bool {
         && angle <= SURE_ANGLE
         && job.vertices.is_none_or(|most| most >= PLENTY)
         && job.sizing.is_none()
-        && job.locked == Locked::Nothing
 }
 
 /// Multiplied by a power of two, the same job has the same mesh, multiplied.

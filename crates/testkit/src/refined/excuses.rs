@@ -2,7 +2,8 @@
 //!
 //! A triangle is excused when its shortest edge joins two segments of the input that meet at less than
 //! 60 degrees, or it has their corner; when its shortest edge is below 2¹² units in the last place of
-//! its largest coordinate; or when one of its edges is one that must not be split. An excuse for an
+//! its largest coordinate; or when one of its edges is one that must not be split, or such an edge is
+//! reached from longest edge to longer one. An excuse for an
 //! angle is none for a size: only what makes a smaller triangle impossible is.
 
 use super::structure::is_locked;
@@ -10,6 +11,7 @@ use super::{Job, Lines, Shape, Verdict, at, ensure, magnitude, ulp};
 use delone::{
     ConstrainedTriangulation, Outcome, Point, Reason, RefinedMesh, TriangleId, Unmet, VertexId,
 };
+use std::collections::BTreeSet;
 
 pub(super) fn check_excuses(job: &Job, refined: &RefinedMesh, lines: &Lines) -> Verdict {
     for unmet in &refined.report.unmet {
@@ -40,9 +42,9 @@ fn check_excuse(job: &Job, refined: &RefinedMesh, lines: &Lines, unmet: &Unmet) 
         }
         Reason::LockedBoundary => {
             let mut edges = unmet.triangle.half_edges().into_iter();
-            ensure(edges.any(|h| is_locked(job, mesh, h)), || {
-                "no edge is locked".to_owned()
-            })
+            let is_true = edges.any(|h| is_locked(job, mesh, h))
+                || hangs_on_locked(job, mesh, unmet.triangle);
+            ensure(is_true, || "it does not hang on a locked edge".to_owned())
         }
         Reason::Precision => {
             let corners = corners(mesh, unmet.triangle);
@@ -60,6 +62,32 @@ fn check_excuse(job: &Job, refined: &RefinedMesh, lines: &Lines, unmet: &Unmet) 
         }
         _ => Ok(()),
     }
+}
+
+/// Going from a triangle across its longest edge, and on as long as edges get longer, one comes to a
+/// locked edge. Any of several that are equally long, but for rounding, will do.
+fn hangs_on_locked(job: &Job, mesh: &ConstrainedTriangulation, t: TriangleId) -> bool {
+    let mut seen = BTreeSet::from([t]);
+    let mut open = vec![t];
+    while let Some(t) = open.pop() {
+        let shape = Shape::of(corners(mesh, t));
+        let least = shape.longest() * (1.0 - 1e-9);
+        for k in (0..3).filter(|&k| shape.edges[k] >= least) {
+            let h = t.half_edges()[k];
+            let beyond = mesh.triangulation().mesh().twin(h).triangle();
+            if is_locked(job, mesh, h) {
+                return true;
+            }
+            let is_domain = beyond.index() < mesh.triangulation().num_triangles();
+            if is_domain
+                && Shape::of(corners(mesh, beyond)).longest() > least
+                && seen.insert(beyond)
+            {
+                open.push(beyond);
+            }
+        }
+    }
+    false
 }
 
 /// The two segments meet in the vertex, at this angle, below 60 degrees.

@@ -265,7 +265,7 @@ fn check_locked(job: &Job, mesh: &ConstrainedTriangulation, lines: &Lines) -> Ve
 }
 
 /// If circles were asked for, no vertex of the domain lies in one: then every triangle is Delaunay.
-/// Not promised where splitting had to stop.
+/// Not promised where splitting had to stop, nor of vertices that are too close to leave room.
 fn check_conforming(job: &Job, refined: &RefinedMesh) -> Verdict {
     let mesh = &refined.mesh;
     let is_promised = job.encroachment == Encroachment::Circle

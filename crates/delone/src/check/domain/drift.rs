@@ -7,14 +7,19 @@
 //! rounded; whether it meets the segment is decided exactly.
 //!
 //! # Steiner points
-//! Refinement splits subsegments again and again: each point lies within half a unit of the subsegment
-//! that it splits, and may have been moved to a neighbouring `f64` on each axis where the triangles
-//! around it demanded that: 1½ units. The drift of a point t of the way from an end with drift d to one
-//! with drift e is (1 − t) d + t e + 1½ at most, and of the two ends one is two levels older. With t
-//! between a quarter and three quarters, a level adds no more than 1½ / 1.25 = 1.2 units, and a
+//! Refinement splits subsegments again and again. Each point is rounded once, to within half a unit of the
+//! subsegment that it splits, and may have been moved to a neighbouring `f64` on each axis where the
+//! triangles around it demanded that: 1½ units. The drift of a point t of the way from an end with drift d
+//! to one with drift e is (1 − t) d + t e + 1½ at most, and of the two ends one is two levels older. t lies
+//! between a quarter and three quarters, so a level adds no more than 1½ / 1.25 = 1.2 units, and a
 //! subsegment 2ᵏ times shorter than its segment is the work of k / log₂ (4/3) = 2.41 k levels at
 //! most: less than [`ULPS_PER_HALVING`] units for each k. The step to a vertex is no longer than the piece
 //! that the vertex once cut off, so its length tells.
+//!
+//! Only beside a vertex that leaves no room between, nearer than 2¹⁰ units, a subsegment is split at any t.
+//! Such a split may add 1½ units and halve nothing. It is not proven that a segment has few of them one
+//! upon the other: [`ULPS`] leaves room for five, beside what noding takes, and the errors of rounding would
+//! have to be of one sign. A chain that drifts farther is reported as a defect, never let pass.
 //!
 //! A segment that is nearly parallel to an axis may be left by such a move across it, out of the
 //! bounding box and back. Therefore steps of refined chains have to go on along the longer side of the

@@ -3,9 +3,10 @@
 use super::super::drift::unit;
 use super::super::graph::Dart;
 use super::corners::Corners;
+use super::paths::Paths;
 use super::{Found, SLACK, Shape};
 use crate::pace::Pace;
-use crate::{Angle, Broken, Error, Locked, VertexId};
+use crate::{Angle, Broken, Error, Locked, TriangleId, VertexId};
 
 /// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
 const ROOM: f64 = 4096.0;
@@ -24,7 +25,8 @@ pub enum Excuse {
         /// The angle between them.
         angle: Angle,
     },
-    /// An edge lies on a segment that must not be split.
+    /// An edge lies on a segment that must not be split, or such an edge is the end of the
+    /// [path of longest edges](crate::Reason::LockedBoundary) that begins in the triangle.
     Locked,
     /// The shortest edge is below 2¹² units in the last place of the largest coordinate.
     Precision,
@@ -35,6 +37,7 @@ pub(super) struct Excuses<'e> {
     found: &'e Found<'e>,
     locked: Locked,
     corners: Corners<'e>,
+    paths: Paths<'e>,
 }
 
 impl<'e> Excuses<'e> {
@@ -43,62 +46,61 @@ impl<'e> Excuses<'e> {
             found,
             locked,
             corners: Corners::new(found),
+            paths: Paths::new(found),
         }
     }
 
     /// Finds what excuses all that a triangle breaks.
     pub fn find(
         &mut self,
-        vertices: [VertexId; 3],
+        triangle: TriangleId,
         broken: Broken,
         shape: &Shape,
         pace: &mut Pace,
     ) -> Result<Option<Excuse>, Error> {
+        let vertices = self.found.triangles[triangle.index()];
         if !broken.edge && !broken.area {
             let excuse = self.small_input_angle(vertices, shape, pace)?;
             if excuse.is_some() {
                 return Ok(excuse);
             }
         }
-        let [a, b, c] = vertices;
-        Ok(
-            if [[a, b], [b, c], [c, a]]
-                .into_iter()
-                .any(|e| self.is_locked_between(e))
-            {
-                Some(Excuse::Locked)
-            } else {
-                let shortest = shape.edges.into_iter().fold(f64::INFINITY, f64::min);
-                self.lacks_room(&vertices, shortest)
-                    .then_some(Excuse::Precision)
-            },
-        )
+        if self.is_locked_in(triangle, pace)? {
+            return Ok(Some(Excuse::Locked));
+        }
+        let shortest = shape.edges.into_iter().fold(f64::INFINITY, f64::min);
+        let lacks_room = self.lacks_room(&vertices, shortest);
+        Ok(lacks_room.then_some(Excuse::Precision))
     }
 
-    /// Finds what excuses a subsegment for not having been split.
-    pub fn of_subsegment(&self, ends: [VertexId; 2]) -> Option<Excuse> {
-        let [a, b] = ends.map(|v| self.found.points[v.index()]);
-        if self.is_locked_between(ends) {
+    /// Tells whether an edge of a triangle must not be split, or that at the end of its path.
+    fn is_locked_in(&mut self, triangle: TriangleId, pace: &mut Pace) -> Result<bool, Error> {
+        if self.locked == Locked::Nothing {
+            return Ok(false);
+        }
+        let [a, b, c] = self.found.triangles[triangle.index()];
+        let (found, locked) = (self.found, self.locked);
+        let is_locked = |ends| is_locked_between(found, locked, ends);
+        Ok([[a, b], [b, c], [c, a]].into_iter().any(is_locked)
+            || self.paths.ends_at_locked(triangle, is_locked, pace)?)
+    }
+
+    /// Finds what excuses a subsegment for not having been split, with a vertex inside its circle.
+    pub fn of_subsegment(&self, ends: [VertexId; 2], apex: VertexId) -> Option<Excuse> {
+        if is_locked_between(self.found, self.locked, ends) {
             return Some(Excuse::Locked);
         }
-        let length = (b.x - a.x).hypot(b.y - a.y);
-        self.lacks_room(&ends, length).then_some(Excuse::Precision)
+        let vertices = [apex, ends[0], ends[1]];
+        // The longest edge is the subsegment, so the height upon it is how near the vertex is.
+        let shape = Shape::of(vertices.map(|v| self.found.points[v.index()]));
+        let height = shape.edges[0] / shape.aspect;
+        self.lacks_room(&vertices, height)
+            .then_some(Excuse::Precision)
     }
 
     /// Tells whether a dart must not be split.
     pub fn is_locked(&self, dart: Dart) -> bool {
-        let Found { graph, area, .. } = *self.found;
-        match self.locked {
-            Locked::Nothing => false,
-            Locked::Boundary => area.is_left_of(dart) != area.is_left_of(dart.twin()),
-            Locked::Segments => graph.edges()[dart.edge()].is_subsegment,
-        }
-    }
-
-    fn is_locked_between(&self, ends: [VertexId; 2]) -> bool {
-        let graph = self.found.graph;
-        let [a, b] = ends.map(|v| graph.places.of(v));
-        graph.find(a, b).is_some_and(|dart| self.is_locked(dart))
+        is_locked(self.found, self.locked, dart)
     }
 
     fn lacks_room(&self, vertices: &[VertexId], length: f64) -> bool {
@@ -130,4 +132,20 @@ impl<'e> Excuses<'e> {
         }
         Ok(None)
     }
+}
+
+fn is_locked(found: &Found, locked: Locked, dart: Dart) -> bool {
+    let Found { graph, area, .. } = *found;
+    match locked {
+        Locked::Nothing => false,
+        Locked::Boundary => area.is_left_of(dart) != area.is_left_of(dart.twin()),
+        Locked::Segments => graph.edges()[dart.edge()].is_subsegment,
+    }
+}
+
+fn is_locked_between(found: &Found, locked: Locked, ends: [VertexId; 2]) -> bool {
+    let graph = found.graph;
+    let [a, b] = ends.map(|v| graph.places.of(v));
+    let dart = graph.find(a, b);
+    dart.is_some_and(|dart| is_locked(found, locked, dart))
 }

@@ -9,8 +9,9 @@
 //!   its shortest edge goes from one to the other ([`corners`]). Miller, Pav and Walkington (2003) show
 //!   that nothing else needs to stay. This excuses an angle, and no size: segments at any angle may be
 //!   cut as short as wanted.
-//! * *Locked*: one of its edges lies on a segment that must not be split. This excuses angles and sizes,
-//!   since a vertex that would help may be too close to that edge to be inserted.
+//! * *Locked*: one of its edges lies on a segment that must not be split; or such an edge is where its path
+//!   of longest edges ends ([`paths`]), so that it hangs on an edge still longer than its own. This excuses
+//!   angles and sizes, since a vertex that would help may be too close to that edge to be inserted.
 //! * *Precision*: its shortest edge is below 2¹² units in the last place of its largest coordinate. This
 //!   too excuses whatever is broken: there is no room for vertices.
 //!
@@ -26,6 +27,7 @@
 
 mod corners;
 mod excuse;
+mod paths;
 mod regions;
 mod verdict;
 
@@ -212,7 +214,7 @@ impl Judge<'_> {
                     triangle: TriangleId::new(t),
                     broken,
                     shape,
-                    excuse: excuses.find(vertices, broken, &shape, pace)?,
+                    excuse: excuses.find(TriangleId::new(t), broken, &shape, pace)?,
                 });
             }
         }
@@ -274,7 +276,7 @@ impl Judge<'_> {
                 encroached.push(Encroached {
                     edge: [a, b],
                     apex,
-                    excuse: excuses.of_subsegment([a, b]),
+                    excuse: excuses.of_subsegment([a, b], apex),
                 });
             }
         }

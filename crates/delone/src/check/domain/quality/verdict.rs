@@ -24,7 +24,9 @@ pub struct Encroached {
     pub edge: [VertexId; 2],
     /// The vertex.
     pub apex: VertexId,
-    /// [`Locked`](Excuse::Locked) or [`Precision`](Excuse::Precision), if it could not be split.
+    /// What excuses that it was not split: [`Locked`](Excuse::Locked), or [`Precision`](Excuse::Precision) if
+    /// the vertex is nearer to it than 2¹² units in the last place of their largest coordinate, for then
+    /// there is no room for another vertex between.
     pub excuse: Option<Excuse>,
 }
 
