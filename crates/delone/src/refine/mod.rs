@@ -12,7 +12,8 @@
 //! |---|---|
 //! | [`run`], [`handing`] | from a carved domain to the canvas and back: scaling, the hull, lineage, budget and watch |
 //! | [`sow`](mod@sow) | a head start where sizes are uniform: a hexagonal lattice |
-//! | [`refiner`] | the loop |
+//! | [`refiner`] | the loop: what is looked at, and what waits |
+//! | [`insertion`], [`splitting`] | how bad triangles vanish, and where subsegments are split |
 //! | [`canvas`], [`cavity`] | the mesh while it grows; what a vertex tears out of it |
 //! | [`bounds`], [`queue`] | what is bad, and what comes next |
 //! | [`candidates`] | where a vertex could help |
@@ -129,6 +130,7 @@ mod canvas;
 mod cavity;
 mod corners;
 mod handing;
+mod insertion;
 mod lines;
 mod longest;
 mod patch;
@@ -142,6 +144,7 @@ mod run;
 pub mod sizing;
 mod smooth;
 mod sow;
+mod splitting;
 mod thesis;
 mod worth;
 

@@ -27,7 +27,7 @@ impl Refiner<'_> {
         if !self.is_sown(v) {
             return false;
         }
-        let spacing = self.gradation() * self.base(v);
+        let spacing = self.gradation() * self.base[v.index()];
         self.places(spoke).into_iter().any(|place| {
             let place = self.canvas.placed(place);
             let floor = spacing.max(self.canvas.closest(place));
