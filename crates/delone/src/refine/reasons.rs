@@ -3,6 +3,7 @@
 use super::bounds::{Bounds, Shape};
 use super::canvas::Canvas;
 use super::corners::Corners;
+use super::handing;
 use super::longest::Paths;
 use super::{Reason, Unmet};
 use crate::check;
@@ -12,6 +13,9 @@ use std::ops::Range;
 
 /// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
 const ROOM: f64 = 4096.0;
+
+/// The same where coordinates are next to nothing: 2⁻²⁴⁸, in those that are [scaled](super::handing::scale).
+const LEAST_ROOM: f64 = f64::from_bits((1023 - 248) << 52);
 
 /// The part by which an edge may be longer than the shortest one and count as that.
 const SLACK: f64 = 1e-9;
@@ -89,6 +93,7 @@ pub(super) fn explain(
         paths: Paths::of(mesh),
         locked,
         is_stopped,
+        least: LEAST_ROOM / handing::scale(mesh.triangulation().points()),
     };
     let explained = unmet.into_iter().map(|(triangle, broken)| {
         let corners = mesh.triangulation().triangles()[triangle.index()];
@@ -109,6 +114,8 @@ struct Why<'a> {
     paths: Paths<'a>,
     locked: Locked,
     is_stopped: bool,
+    /// Lengths below this leave no room, wherever they are.
+    least: f64,
 }
 
 impl Why<'_> {
@@ -128,7 +135,7 @@ impl Why<'_> {
         let largest = points
             .iter()
             .fold(0.0, |m: f64, p| m.max(p.x.abs()).max(p.y.abs()));
-        if shortest(shape) < ROOM * unit(largest) {
+        if shortest(shape) < (ROOM * unit(largest)).max(self.least) {
             return Reason::Precision;
         }
         match self.is_stopped {

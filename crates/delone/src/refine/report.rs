@@ -46,7 +46,8 @@ pub enum Reason {
     /// such a path. Where it ends at any other edge, that could be split.
     LockedBoundary,
     /// Coordinates have no room for another vertex: its shortest edge is below 2¹² units in the last
-    /// place of its largest coordinate.
+    /// place of its largest coordinate; or, next to zero, where these are finer than that, below 2⁻²⁴⁸ (if the
+    /// largest coordinate of the mesh is below 1e-30 or from 1e30 on: of that).
     Precision,
     /// Another vertex would be far closer to others than the features of the input are.
     Gradation,

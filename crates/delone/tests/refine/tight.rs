@@ -242,3 +242,20 @@ fn smoothing_takes_no_vertex_into_a_circle_in_exchange_for_another() {
     job.smoothing = 2;
     assert_complete(&job);
 }
+
+#[test]
+fn segments_are_split_towards_zero_until_squares_of_distances_would_vanish() {
+    // A segment and an edge of the hull leave the origin in all but the same direction.
+    let mut pslg = Pslg::from_points([
+        (0.8184000552533245, -1.82488940748785),
+        (0.0, 0.0),
+        (1.2276000828799867, -2.7373341112317746),
+        (-2.3281340836051125, -2.1400447866239114),
+    ]);
+    pslg.add_segment(0, 1);
+    let mut job = job(pslg, 0.0);
+    job.quality.min_angle = None;
+    job.encroachment = Encroachment::Circle;
+    job.domain.rule = DomainRule::Hull;
+    assert_complete(&job);
+}

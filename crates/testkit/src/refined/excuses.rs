@@ -7,7 +7,7 @@
 //! angle is none for a size: only what makes a smaller triangle impossible is.
 
 use super::structure::is_locked;
-use super::{Job, Lines, Shape, Verdict, at, ensure, magnitude, ulp};
+use super::{Job, Lines, Shape, Verdict, at, ensure, least_room};
 use delone::{
     ConstrainedTriangulation, Outcome, Point, Reason, RefinedMesh, TriangleId, Unmet, VertexId,
 };
@@ -48,7 +48,7 @@ fn check_excuse(job: &Job, refined: &RefinedMesh, lines: &Lines, unmet: &Unmet) 
         }
         Reason::Precision => {
             let corners = corners(mesh, unmet.triangle);
-            let least = 4096.0 * ulp(magnitude(corners));
+            let least = least_room(mesh, corners);
             let shortest = Shape::of(corners).shortest();
             ensure(shortest < least, || {
                 format!("its shortest edge {shortest} is not below {least}")

@@ -168,6 +168,14 @@ fn ulp(value: f64) -> f64 {
     value.abs().next_up() - value.abs()
 }
 
+/// How close vertices beside some of the mesh's points may come to leave no room for more.
+fn least_room(mesh: &ConstrainedTriangulation, points: impl IntoIterator<Item = Point>) -> f64 {
+    let largest = magnitude(mesh.triangulation().points().iter().copied());
+    let is_usual = (1e-30..1e30).contains(&largest);
+    let least = 2.0_f64.powi(-248) * if is_usual { 1.0 } else { largest };
+    least.max(4096.0 * ulp(magnitude(points)))
+}
+
 /// The larger coordinate of the largest point, without sign.
 fn magnitude(points: impl IntoIterator<Item = Point>) -> f64 {
     let sizes = points.into_iter().map(|p| p.x.abs().max(p.y.abs()));

@@ -1,7 +1,7 @@
 //! The mesh is the constrained Delaunay triangulation of its vertices and subsegments, those are the
 //! input's, and what was to stay stayed.
 
-use super::{Job, Lines, Verdict, at, ensure, magnitude, ulp};
+use super::{Job, Lines, Verdict, at, ensure, least_room, magnitude, ulp};
 use delone::predicates::{CircleSide, in_diametral_circle};
 use delone::{
     ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Encroachment, HalfEdgeId, Locked,
@@ -283,7 +283,7 @@ fn check_conforming(job: &Job, refined: &RefinedMesh) -> Verdict {
         let [a, b, apex] =
             [topology.origin(h), topology.dest(h), topology.apex(h)].map(|v| at(mesh, v));
         let is_encroached = in_diametral_circle(a, b, apex) == CircleSide::Inside;
-        ensure(!is_encroached || is_tiny([a, b], apex), || {
+        ensure(!is_encroached || is_tiny(mesh, [a, b], apex), || {
             format!("{apex:?} lies in the diametral circle of {a:?} {b:?}")
         })?;
     }
@@ -291,8 +291,8 @@ fn check_conforming(job: &Job, refined: &RefinedMesh) -> Verdict {
 }
 
 /// Tells whether a subsegment is too short to be split, or its apex too close to it.
-fn is_tiny([a, b]: [Point; 2], apex: Point) -> bool {
-    let least = 4096.0 * ulp(magnitude([a, b]));
+fn is_tiny(mesh: &ConstrainedTriangulation, [a, b]: [Point; 2], apex: Point) -> bool {
+    let least = least_room(mesh, [a, b]);
     let length = (b.x - a.x).hypot(b.y - a.y);
     length < least || distance([a, b], apex) < least
 }

@@ -6,10 +6,13 @@ use super::corners::Corners;
 use super::paths::Paths;
 use super::{Found, SLACK, Shape};
 use crate::pace::Pace;
-use crate::{Angle, Broken, Error, Locked, TriangleId, VertexId};
+use crate::{Angle, Broken, Error, Locked, Point, TriangleId, VertexId};
 
 /// Units in the last place of the largest coordinate below which a shortest edge leaves no room.
 const ROOM: f64 = 4096.0;
+
+/// The same where coordinates are next to nothing, as part of the extent: 2⁻²⁴⁸.
+const LEAST_ROOM: f64 = f64::from_bits((1023 - 248) << 52);
 
 /// Why a triangle could not be better.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,8 +31,18 @@ pub enum Excuse {
     /// An edge lies on a segment that must not be split, or such an edge is the end of the
     /// [path of longest edges](crate::Reason::LockedBoundary) that begins in the triangle.
     Locked,
-    /// The shortest edge is below 2¹² units in the last place of the largest coordinate.
+    /// The shortest edge is below 2¹² units in the last place of the largest coordinate, or
+    /// [below 2⁻²⁴⁸](crate::Reason::Precision).
     Precision,
+}
+
+/// Returns the largest coordinate where that is far from 1, else 1.
+fn extent(points: &[Point]) -> f64 {
+    let sizes = points.iter().map(|p| p.x.abs().max(p.y.abs()));
+    match sizes.fold(0.0, f64::max) {
+        usual if (1e-30..1e30).contains(&usual) => 1.0,
+        largest => largest,
+    }
 }
 
 /// Looks for excuses in a mesh.
@@ -38,6 +51,8 @@ pub(super) struct Excuses<'e> {
     locked: Locked,
     corners: Corners<'e>,
     paths: Paths<'e>,
+    /// Lengths below this leave no room, wherever they are.
+    least: f64,
 }
 
 impl<'e> Excuses<'e> {
@@ -47,6 +62,7 @@ impl<'e> Excuses<'e> {
             locked,
             corners: Corners::new(found),
             paths: Paths::new(found),
+            least: LEAST_ROOM * extent(found.points),
         }
     }
 
@@ -106,7 +122,7 @@ impl<'e> Excuses<'e> {
     fn lacks_room(&self, vertices: &[VertexId], length: f64) -> bool {
         let points = vertices.iter().map(|v| self.found.points[v.index()]);
         let largest = points.fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
-        length < ROOM * unit(largest)
+        length < self.least.max(ROOM * unit(largest))
     }
 
     /// Looks at the corners, and then at each edge that may be the shortest one.
