@@ -180,7 +180,7 @@ fn false_excuses_are_found() {
         assert_found(&job, &refined, "the segments meet there at");
     }
     let (job, refined) = left(Reason::LockedBoundary);
-    assert_found(&job, &refined, "no edge is locked");
+    assert_found(&job, &refined, "it does not hang on a locked edge");
     let (job, refined) = left(Reason::Precision);
     assert_found(&job, &refined, "its shortest edge");
     let (mut job, mut refined) = left(Reason::Stopped);
