@@ -91,20 +91,26 @@
 pub mod check;
 mod constrained;
 pub mod delaunay;
+pub mod edit;
 mod error;
 mod hash;
 pub mod locate;
 mod memory;
 pub mod mesh;
+pub mod nearest;
 mod observe;
 mod pace;
 mod parallel;
 mod point;
 pub mod predicates;
+pub mod proximity;
 mod pslg;
 mod quality;
 mod refine;
+pub mod regular;
+pub mod surface;
 mod triangulation;
+pub mod voronoi;
 mod watch;
 
 pub use constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Origin, Warning};

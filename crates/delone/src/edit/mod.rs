@@ -1,0 +1,1 @@
+//! Live editing: insert, remove and move vertices, add and remove constraints, canonical at every moment.

@@ -1,0 +1,1 @@
+//! Graphs and figures that a Delaunay triangulation holds: spanning tree, tour, Gabriel graph, alpha shape.

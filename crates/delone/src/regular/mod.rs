@@ -1,0 +1,1 @@
+//! Weighted points: regular triangulation and power diagram.

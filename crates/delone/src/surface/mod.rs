@@ -1,0 +1,1 @@
+//! Surfaces over a triangulation: interpolants, gradients, rasters and contour lines.
