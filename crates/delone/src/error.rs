@@ -147,6 +147,14 @@ pub enum Error {
         /// The size given.
         given: f64,
     },
+    /// The weight of a point is NaN or infinite.
+    #[error("the weight of point {index} is {weight}: it must be finite; repair or remove it")]
+    BadWeight {
+        /// Index of the point.
+        index: usize,
+        /// The weight given.
+        weight: f64,
+    },
     /// A triangle names a point that does not exist.
     #[error("triangle {triangle} names point {vertex}, but there are {points} points")]
     BadTriangle {

@@ -192,9 +192,10 @@ impl Mesh {
         }
     }
 
-    /// Gives `order[i]` the id `i`.
+    /// Gives `order[i]` the id `i`; faces that do not occur are dropped, and must have no neighbour
+    /// that does.
     pub(crate) fn reorder_faces(&mut self, order: &[TriangleId]) {
-        let mut new_id = vec![TriangleId::new(0); order.len()];
+        let mut new_id = vec![TriangleId::new(0); self.num_faces()];
         for (i, t) in order.iter().enumerate() {
             new_id[t.index()] = TriangleId::new(i);
         }

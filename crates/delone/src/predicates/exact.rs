@@ -4,6 +4,8 @@
 //! (orient2d) to 0.8 µs (in_circle) where exponents are close, most of it allocations; at worst, over
 //! the full exponent range, coordinates of 2,100 bits.
 
+use super::Weighted;
+use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
 use super::quotient::rounded;
 use crate::Point;
@@ -32,6 +34,88 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Ordering {
     let [u, v] = vectors([a, b], p);
     sign(&dot(&u, &v))
+}
+
+/// Finds the sign of the power determinant.
+pub(super) fn in_power_circle(a: Weighted, b: Weighted, c: Weighted, d: Weighted) -> Ordering {
+    let lifted = Lifted::new([a, b, c], d);
+    let mut terms = in_circle_terms(&lifted.vectors);
+    for ([lift, _], rise) in terms.iter_mut().zip(lifted.rises) {
+        *lift += rise;
+    }
+    sign(&terms.into_iter().map(|[lift, cross]| lift * cross).sum())
+}
+
+/// Finds the sign of the power determinant on a line, where `a` is the lexicographically smaller end.
+pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Ordering {
+    let Lifted {
+        vectors: [u, v],
+        rises: [u_rise, v_rise],
+        ..
+    } = Lifted::new([a, b], p);
+    let along = usize::from(a.point.x == b.point.x);
+    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    (u_lift * &v[along]).cmp(&(v_lift * &u[along]))
+}
+
+/// Finds the power centre of three points that are not collinear, each coordinate rounded.
+///
+/// With u and v the vectors from a to b and c, its vector z from a has 2u·z = |u|² + a's weight − b's
+/// and 2v·z likewise.
+pub(super) fn power_center(a: Weighted, b: Weighted, c: Weighted) -> Point {
+    let Lifted {
+        vectors: [u, v],
+        rises: [u_rise, v_rise],
+        unit,
+    } = Lifted::new([b, c], a);
+    let denominator: BigInt = cross(&u, &v) << 1;
+    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    let [ax, ay] = scaled(a.point, unit);
+    let x = ax * &denominator + &u_lift * &v[1] - &v_lift * &u[1];
+    let y = ay * &denominator + v_lift * &u[0] - u_lift * &v[0];
+    let [x, y] = [x, y].map(|numerator| rounded_or_infinite(&numerator, &denominator, unit));
+    Point::new(x, y)
+}
+
+/// Rounds as [`rounded`] does, and magnitudes of 2¹⁰²⁴ and more to infinity.
+fn rounded_or_infinite(numerator: &BigInt, denominator: &BigInt, unit: i32) -> f64 {
+    let (n, d) = (numerator.magnitude(), denominator.magnitude());
+    // The quotient is below 2^(bits + 1).
+    let bits = n.bits() as i64 - d.bits() as i64;
+    if bits + i64::from(unit) < 1024 || *n < d << (1024 - unit) {
+        return rounded(numerator, denominator, unit);
+    }
+    if (numerator.sign() == Sign::Minus) == (denominator.sign() == Sign::Minus) {
+        f64::INFINITY
+    } else {
+        f64::NEG_INFINITY
+    }
+}
+
+/// Sites relative to one of them, on a common lattice.
+struct Lifted<const K: usize> {
+    vectors: [[BigInt; 2]; K],
+    /// The weight of the origin less that of the site: what weights add to a squared length.
+    rises: [BigInt; K],
+    /// Vectors are in units of 2 to this power, rises in its square.
+    unit: i32,
+}
+
+impl<const K: usize> Lifted<K> {
+    fn new(sites: [Weighted; K], origin: Weighted) -> Self {
+        let all = || sites.iter().chain([&origin]);
+        let points = all().map(|s| common_unit(&[s.point]));
+        let weights = all().map(|s| Dyadic::new(s.weight).exponent.div_euclid(2));
+        // If all numbers are zero, any unit will do.
+        let unit = points.chain(weights).fold(1024, i32::min);
+        let weight = |s: Weighted| Dyadic::new(s.weight).in_units_of(2 * unit);
+        let (place, level) = (scaled(origin.point, unit), weight(origin));
+        Self {
+            vectors: sites.map(|s| minus(&scaled(s.point, unit), &place)),
+            rises: sites.map(|s| &level - weight(s)),
+            unit,
+        }
+    }
 }
 
 fn sign(value: &BigInt) -> Ordering {
@@ -76,41 +160,4 @@ fn scaled(p: Point, unit: i32) -> [BigInt; 2] {
 
 fn minus([ax, ay]: &[BigInt; 2], [bx, by]: &[BigInt; 2]) -> [BigInt; 2] {
     [ax - bx, ay - by]
-}
-
-/// The number `mantissa · 2^exponent`, the mantissa odd unless the number is zero.
-struct Dyadic {
-    mantissa: i64,
-    exponent: i32,
-}
-
-impl Dyadic {
-    /// Takes a finite number apart.
-    fn new(value: f64) -> Self {
-        let bits = value.to_bits();
-        let biased = (bits >> 52 & 0x7ff) as i32;
-        let fraction = (bits & ((1 << 52) - 1)) as i64;
-        let magnitude = fraction | i64::from(biased != 0) << 52;
-        if magnitude == 0 {
-            // No power of two is too coarse for zero.
-            return Self {
-                mantissa: 0,
-                exponent: i32::MAX,
-            };
-        }
-        let zeros = magnitude.trailing_zeros();
-        let odd = magnitude >> zeros;
-        Self {
-            mantissa: if value < 0.0 { -odd } else { odd },
-            exponent: biased.max(1) - 1075 + zeros.cast_signed(),
-        }
-    }
-
-    /// Divides by 2^`unit`, which divides the number.
-    fn in_units_of(&self, unit: i32) -> BigInt {
-        if self.mantissa == 0 {
-            return BigInt::ZERO;
-        }
-        BigInt::from(self.mantissa) << (self.exponent - unit)
-    }
 }

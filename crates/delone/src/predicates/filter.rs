@@ -18,6 +18,7 @@
 //! four η that products contribute. The in-circle filter requires lifts above [`LIFT_FLOOR`]
 //! instead; see [`in_circle`].
 
+use super::Weighted;
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -40,6 +41,17 @@ pub(crate) const ORIENT2D_BOUND: f64 = 3.3306690738754716e-16;
 /// three terms that adds up to 10u·S = 1.1103e-15·S; terms of order u², the roundings of S and of
 /// its product with the bound included, are far below the rest of the constant.
 pub(crate) const IN_CIRCLE_BOUND: f64 = 1.12e-15;
+
+/// Bounds the error of the power determinant, relative to al·(bs + cs) + bl·(cs + as) + cl·(as + bs),
+/// where as, bs, cs are the squared lengths of a, b, c relative to the fourth point, and al, bl, cl
+/// are these plus the magnitudes of the differences of weights.
+///
+/// As for [`IN_CIRCLE_BOUND`], with one rounding more: a lift is a squared length (four roundings)
+/// plus a difference (one), and their sum is rounded, hence at most five, relative to al. With four in
+/// the cross product, one in its product with the lift and one in the sum of two terms, the term errs
+/// by at most 11u·al·√(bs·cs) ≤ 11u·al·(bs + cs)/2, and 11u/2 = 6.107e-16. The rest of the constant
+/// is for terms of order u² and for the roundings of the bound itself.
+const POWER_BOUND: f64 = 6.2e-16;
 
 /// Bounds the error of the difference of two squared lengths, relative to their sum: four roundings
 /// each (difference, square, sum), 4u = 4.441e-16, and 20u² for what follows.
@@ -78,6 +90,37 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Orderi
     let bound = IN_CIRCLE_BOUND * (al * bl + bl * cl + cl * al);
     if al > LIFT_FLOOR && bl > LIFT_FLOOR && cl > LIFT_FLOOR {
         certain(det, bound)
+    } else {
+        None
+    }
+}
+
+/// Finds the sign of the power determinant, positive if `d` is inside the circle of the
+/// counter-clockwise `abc`.
+///
+/// Underflow: differences of weights have none, and with every squared length above 2⁻⁴⁰⁰ the rest
+/// is as in [`in_circle`]: the terms of the bound exceed 2⁻⁸⁰⁰ and dwarf what products lose. Overflow:
+/// a lift is at most al, and a cross product at most (bs + cs)/2, so no term overflows without its
+/// share of the bound.
+#[inline(always)]
+pub(super) fn in_power_circle(
+    a: Weighted,
+    b: Weighted,
+    c: Weighted,
+    d: Weighted,
+) -> Option<Ordering> {
+    let arm = |s: Weighted| [s.point.x - d.point.x, s.point.y - d.point.y];
+    let [[ax, ay], [bx, by], [cx, cy]] = [arm(a), arm(b), arm(c)];
+    let [a_square, b_square, c_square] = [ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy];
+    let [a_rise, b_rise, c_rise] = [a, b, c].map(|s| d.weight - s.weight);
+    let det = (a_square + a_rise) * (bx * cy - by * cx)
+        + (b_square + b_rise) * (cx * ay - cy * ax)
+        + (c_square + c_rise) * (ax * by - ay * bx);
+    let size = (a_square + a_rise.abs()) * (b_square + c_square)
+        + (b_square + b_rise.abs()) * (c_square + a_square)
+        + (c_square + c_rise.abs()) * (a_square + b_square);
+    if a_square > LIFT_FLOOR && b_square > LIFT_FLOOR && c_square > LIFT_FLOOR {
+        certain(det, POWER_BOUND * size)
     } else {
         None
     }

@@ -5,6 +5,8 @@
 //! q, fit 62 bits (sign included), their polynomials fit 128 bits, and the in-circle determinant 256.
 //! On lattices they mostly fit 31 bits, and 128 suffice for everything.
 //!
+//! Weights are in units of q²; to fit they must be multiples of it below 2¹²¹.
+//!
 //! *Cost*: in_circle about 15 ns on lattices, 35 ns otherwise; no branch but for width.
 //!
 //! *How a difference becomes an integer.* Its rounding error is a float again, so it is exactly
@@ -13,6 +15,8 @@
 //! the multiple of s = M·2⁻²⁹, and what is left of head, and tail, must be multiples of q = M·2⁻⁶⁰.
 //! Additions never underflow, so this holds for subnormals too.
 
+use super::Weighted;
+use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
 use crate::Point;
 use std::cmp::Ordering;
@@ -38,6 +42,51 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Orderi
     })
 }
 
+/// Finds the sign of the power determinant.
+#[inline(always)]
+pub(super) fn in_power_circle(
+    a: Weighted,
+    b: Weighted,
+    c: Weighted,
+    d: Weighted,
+) -> Option<Ordering> {
+    let vectors = Vectors::new([a.point, b.point, c.point], d.point)?;
+    if let Some(rises) = vectors.narrow_rises([a, b, c], d) {
+        // Lifts fit 2⁶¹ + 2⁶², cross products 61 bits, the sum of their products 127.
+        let mut terms = in_circle_terms(&vectors.coordinates);
+        raise(&mut terms, rises);
+        let products = terms.map(|[lift, cross]| i128::from(lift) * i128::from(cross));
+        return Some(products.iter().sum::<i128>().cmp(&0));
+    }
+    let mut terms = in_circle_terms(&vectors.fine());
+    raise(&mut terms, vectors.fine_rises([a, b, c], d)?);
+    Some(sign_of_sum(terms))
+}
+
+/// Finds the sign of the power determinant on a line: with weights lifted, that of how far `p` lies
+/// below the line through `a` and `b`, `a` being the lexicographically smaller one.
+#[inline(always)]
+pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Option<Ordering> {
+    let vectors = Vectors::new([a.point, b.point], p.point)?;
+    let [u, v] = vectors.fine();
+    let [u_rise, v_rise] = vectors.fine_rises([a, b], p)?;
+    let along = usize::from(a.point.x == b.point.x);
+    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    Some(sign_of_sum([
+        [u_lift, v[along]],
+        [-v_lift, u[along]],
+        [0, 0],
+    ]))
+}
+
+/// Adds to each lift what the weights make of it.
+#[inline(always)]
+fn raise<T: std::ops::AddAssign>(terms: &mut [[T; 2]; 3], rises: [T; 3]) {
+    for ([lift, _], rise) in terms.iter_mut().zip(rises) {
+        *lift += rise;
+    }
+}
+
 /// Compares the squared lengths of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
@@ -57,6 +106,8 @@ struct Vectors<const K: usize> {
     coordinates: [[i64; 2]; K],
     /// Whether magnitudes are at most 2³⁰.
     narrow: bool,
+    /// Coordinates are in units of 2 to this power.
+    unit: i32,
 }
 
 impl<const K: usize> Vectors<K> {
@@ -82,6 +133,7 @@ impl<const K: usize> Vectors<K> {
             return Some(Self {
                 coordinates,
                 narrow,
+                unit: coarse.unit(),
             });
         }
         let fine = coarse.refined();
@@ -90,7 +142,45 @@ impl<const K: usize> Vectors<K> {
         fits.then_some(Self {
             coordinates,
             narrow,
+            unit: fine.unit(),
         })
+    }
+
+    /// Returns what weights add to the lifts of narrow coordinates, at most 2⁶² in magnitude.
+    #[inline(always)]
+    fn narrow_rises(&self, sites: [Weighted; K], origin: Weighted) -> Option<[i64; K]> {
+        let fits = |w: &i128| w.unsigned_abs() <= 1 << 61;
+        let in_units = |s: Weighted| Dyadic::new(s.weight).fixed(2 * self.unit).filter(fits);
+        if !self.narrow {
+            return None;
+        }
+        let origin = in_units(origin)?;
+        let mut rises = [0; K];
+        for (rise, site) in rises.iter_mut().zip(sites) {
+            *rise = (origin - in_units(site)?) as i64;
+        }
+        Some(rises)
+    }
+
+    /// Returns the coordinates on the fine lattice.
+    #[inline(always)]
+    fn fine(&self) -> [[i128; 2]; K] {
+        let shift = if self.narrow { REFINEMENT } else { 0 };
+        self.wide().map(|v| v.map(|c| c << shift))
+    }
+
+    /// Returns what weights add to the lifts of [`fine`](Self::fine) coordinates, less than 2¹²² in
+    /// magnitude.
+    #[inline(always)]
+    fn fine_rises(&self, sites: [Weighted; K], origin: Weighted) -> Option<[i128; K]> {
+        let shift = if self.narrow { REFINEMENT } else { 0 };
+        let unit = 2 * (self.unit - shift.cast_signed());
+        let origin = Dyadic::new(origin.weight).fixed(unit)?;
+        let mut rises = [0; K];
+        for (rise, site) in rises.iter_mut().zip(sites) {
+            *rise = origin - Dyadic::new(site.weight).fixed(unit)?;
+        }
+        Some(rises)
     }
 
     /// Widens the coordinates, so that sums of two products fit.
@@ -167,6 +257,12 @@ impl Lattice {
             .then(|| Self::anchored(exponent + 52 - 29))
     }
 
+    /// The exponent of the spacing, which is the unit in the last place of the anchor.
+    #[inline(always)]
+    fn unit(self) -> i32 {
+        (self.anchor.to_bits() >> 52) as i32 - 1075
+    }
+
     /// Makes the lattice that is 2³¹ times finer.
     #[inline(always)]
     fn refined(self) -> Self {
@@ -210,8 +306,8 @@ fn tail(a: f64, b: f64, head: f64) -> f64 {
 
 /// Finds the sign of the sum of three products in 256 bits.
 ///
-/// Factors are at most 2¹²³ in magnitude, so with a = a₁·2⁶⁴ + a₀ each column of partial products
-/// fits 128 bits: |a₁| ≤ 2⁵⁹, and six times 2⁵⁹·2⁶⁴ stays below 2¹²⁷.
+/// Factors are at most 2¹²⁴ in magnitude (2¹²³ without weights), so with a = a₁·2⁶⁴ + a₀ each column
+/// of partial products fits 128 bits: |a₁| ≤ 2⁶⁰, and six times 2⁶⁰·2⁶⁴ stays below 2¹²⁷.
 #[inline(always)]
 fn sign_of_sum(products: [[i128; 2]; 3]) -> Ordering {
     let (mut top, mut middle, mut bottom) = (0_i128, 0_i128, 0_u128);
@@ -247,7 +343,7 @@ mod tests {
     /// All carries and borrows, on factors around powers of two up to the largest allowed.
     #[test]
     fn sign_of_sum_agrees_with_big_integers() {
-        let factors: Vec<i128> = [0, 1, 63, 64, 65, 122, 123]
+        let factors: Vec<i128> = [0, 1, 63, 64, 65, 122, 124]
             .iter()
             .flat_map(|&bits| {
                 let power = 1_i128 << bits;

@@ -3,8 +3,9 @@
 //! Each predicate is the sign of a polynomial in the coordinates, found in up to three
 //! [stages](stage): a floating-point filter with a proven error bound (`filter.rs`), fixed-width
 //! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
-//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). One construction lives
-//! here too, because it is as exact as a rounded number can be: [`crossing_point`].
+//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). Points with weights have
+//! predicates of their own (`power.rs`). Two constructions live here too, because they are as exact as
+//! rounded numbers can be: [`crossing_point`] and [`power_center`].
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
@@ -21,15 +22,21 @@ use std::cmp::Ordering;
 
 mod crossing;
 mod double;
+mod dyadic;
 mod exact;
 mod filter;
 mod integer;
 mod perturbation;
 mod polynomial;
+mod power;
 mod quotient;
 pub mod stage;
 
 pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
+pub use power::{
+    Weighted, in_power_circle, in_power_circle_perturbed, in_power_segment,
+    in_power_segment_perturbed, power_center,
+};
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

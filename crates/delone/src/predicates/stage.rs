@@ -2,7 +2,8 @@
 //!
 //! Answers are those of the functions of the same name [one level up](super).
 
-use super::{CircleSide, Orientation, crossing, exact, filter, integer, perturbation};
+use super::power::segment_sign;
+use super::{CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation};
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -67,6 +68,29 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) 
         || exact::diametral(a, b, p),
     );
     (CircleSide::from_sign(sign.reverse()), stage)
+}
+
+/// Tells where `d` lies relative to the power circle of the counter-clockwise `a`, `b`, `c`, and which
+/// stage found it.
+pub fn in_power_circle(a: Weighted, b: Weighted, c: Weighted, d: Weighted) -> (CircleSide, Stage) {
+    let (sign, stage) = first(
+        filter::in_power_circle(a, b, c, d),
+        || integer::in_power_circle(a, b, c, d),
+        || exact::in_power_circle(a, b, c, d),
+    );
+    (CircleSide::from_sign(sign), stage)
+}
+
+/// Tells where `p` lies relative to the power interval of `a` and `b` on its line, and which stage
+/// found it; there is no filter for this.
+pub fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> (CircleSide, Stage) {
+    let (sign, is_fixed) = segment_sign(a, b, p);
+    let stage = if is_fixed {
+        Stage::Integer
+    } else {
+        Stage::BigInteger
+    };
+    (CircleSide::from_sign(sign), stage)
 }
 
 /// Returns the point where the segments cross properly, correctly rounded, and which stage found it;

@@ -7,6 +7,7 @@ mod families;
 mod fixtures;
 mod laws;
 mod oracle;
+mod power;
 mod random;
 mod stages;
 
