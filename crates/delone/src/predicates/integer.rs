@@ -50,16 +50,11 @@ pub(super) fn in_power_circle(
     c: Weighted,
     d: Weighted,
 ) -> Option<Ordering> {
-    let vectors = Vectors::new([a.point, b.point, c.point], d.point)?;
-    if let Some(rises) = vectors.narrow_rises([a, b, c], d) {
-        // Lifts fit 2⁶¹ + 2⁶², cross products 61 bits, the sum of their products 127.
-        let mut terms = in_circle_terms(&vectors.coordinates);
-        raise(&mut terms, rises);
-        let products = terms.map(|[lift, cross]| i128::from(lift) * i128::from(cross));
-        return Some(products.iter().sum::<i128>().cmp(&0));
+    let (vectors, rises) = lifted([a, b, c], d)?;
+    let mut terms = in_circle_terms(&vectors);
+    for ([lift, _], rise) in terms.iter_mut().zip(rises) {
+        *lift += rise;
     }
-    let mut terms = in_circle_terms(&vectors.fine());
-    raise(&mut terms, vectors.fine_rises([a, b, c], d)?);
     Some(sign_of_sum(terms))
 }
 
@@ -67,9 +62,7 @@ pub(super) fn in_power_circle(
 /// below the line through `a` and `b`, `a` being the lexicographically smaller one.
 #[inline(always)]
 pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Option<Ordering> {
-    let vectors = Vectors::new([a.point, b.point], p.point)?;
-    let [u, v] = vectors.fine();
-    let [u_rise, v_rise] = vectors.fine_rises([a, b], p)?;
+    let ([u, v], [u_rise, v_rise]) = lifted([a, b], p)?;
     let along = usize::from(a.point.x == b.point.x);
     let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
     Some(sign_of_sum([
@@ -79,12 +72,36 @@ pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Option<
     ]))
 }
 
-/// Adds to each lift what the weights make of it.
+/// Vectors on a common lattice, magnitudes at most 2⁶¹, and what weights add to the squared length of
+/// each, magnitudes below 2¹²²; if that fits. On the fine lattice more weights are integers, on the
+/// coarse one larger ones fit.
 #[inline(always)]
-fn raise<T: std::ops::AddAssign>(terms: &mut [[T; 2]; 3], rises: [T; 3]) {
-    for ([lift, _], rise) in terms.iter_mut().zip(rises) {
-        *lift += rise;
+fn lifted<const K: usize>(
+    sites: [Weighted; K],
+    origin: Weighted,
+) -> Option<([[i128; 2]; K], [i128; K])> {
+    let vectors = Vectors::new(sites.map(|s| s.point), origin.point)?;
+    let wide = vectors.wide();
+    if let Some(rises) = rises(sites, origin, 2 * vectors.unit) {
+        return Some((wide, rises));
     }
+    if !vectors.narrow {
+        return None;
+    }
+    let refined = wide.map(|v| v.map(|c| c << REFINEMENT));
+    let unit = vectors.unit - REFINEMENT.cast_signed();
+    Some((refined, rises(sites, origin, 2 * unit)?))
+}
+
+/// How much less the sites weigh than the origin, in units of 2^`unit`, if that fits.
+#[inline(always)]
+fn rises<const K: usize>(sites: [Weighted; K], origin: Weighted, unit: i32) -> Option<[i128; K]> {
+    let origin = Dyadic::new(origin.weight).fixed(unit)?;
+    let mut rises = [0; K];
+    for (rise, site) in rises.iter_mut().zip(sites) {
+        *rise = origin - Dyadic::new(site.weight).fixed(unit)?;
+    }
+    Some(rises)
 }
 
 /// Compares the squared lengths of `a − p` and `b − p`.
@@ -144,43 +161,6 @@ impl<const K: usize> Vectors<K> {
             narrow,
             unit: fine.unit(),
         })
-    }
-
-    /// Returns what weights add to the lifts of narrow coordinates, at most 2⁶² in magnitude.
-    #[inline(always)]
-    fn narrow_rises(&self, sites: [Weighted; K], origin: Weighted) -> Option<[i64; K]> {
-        let fits = |w: &i128| w.unsigned_abs() <= 1 << 61;
-        let in_units = |s: Weighted| Dyadic::new(s.weight).fixed(2 * self.unit).filter(fits);
-        if !self.narrow {
-            return None;
-        }
-        let origin = in_units(origin)?;
-        let mut rises = [0; K];
-        for (rise, site) in rises.iter_mut().zip(sites) {
-            *rise = (origin - in_units(site)?) as i64;
-        }
-        Some(rises)
-    }
-
-    /// Returns the coordinates on the fine lattice.
-    #[inline(always)]
-    fn fine(&self) -> [[i128; 2]; K] {
-        let shift = if self.narrow { REFINEMENT } else { 0 };
-        self.wide().map(|v| v.map(|c| c << shift))
-    }
-
-    /// Returns what weights add to the lifts of [`fine`](Self::fine) coordinates, less than 2¹²² in
-    /// magnitude.
-    #[inline(always)]
-    fn fine_rises(&self, sites: [Weighted; K], origin: Weighted) -> Option<[i128; K]> {
-        let shift = if self.narrow { REFINEMENT } else { 0 };
-        let unit = 2 * (self.unit - shift.cast_signed());
-        let origin = Dyadic::new(origin.weight).fixed(unit)?;
-        let mut rises = [0; K];
-        for (rise, site) in rises.iter_mut().zip(sites) {
-            *rise = origin - Dyadic::new(site.weight).fixed(unit)?;
-        }
-        Some(rises)
     }
 
     /// Widens the coordinates, so that sums of two products fit.

@@ -46,7 +46,7 @@ fn check(sites: &[Site], name: &str) {
         let [u, v] = [b.minus(a), c.minus(a)];
         let turn = cross([&u[0], &u[1]], [&v[0], &v[1]]);
         assert!(turn > Relaxed::ZERO, "{name}: {row:?} does not turn left");
-        area = area + turn;
+        area += turn;
         for (i, d) in lifted.iter().enumerate() {
             let is_below = above([a, b, c], d) < Relaxed::ZERO;
             assert!(!is_below, "{name}: {i} lies below {row:?} of {sites:?}");
@@ -84,7 +84,7 @@ fn hull_area(sites: &[Site], lifted: &[Lifted]) -> Relaxed {
         let Some(next) = elsewhere.reduce(better) else {
             return Relaxed::ZERO;
         };
-        area = area + turn(first, last, next).0;
+        area += turn(first, last, next).0;
         if sites[next].0 == sites[first].0 {
             return area;
         }
