@@ -5,7 +5,7 @@
 //! the full exponent range, coordinates of 2,100 bits.
 
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::rounded;
+use super::quotient::{rounded, saturated};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -54,6 +54,25 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
         rounded(&product, &denominator, unit)
     });
     Point::new(x, y)
+}
+
+/// Finds the center of the circle through three points, correctly rounded; a coordinate beyond the
+/// largest number becomes that number. `None` if the points are on one line.
+pub(super) fn circumcenter(points @ [a, _, _]: [Point; 3]) -> Option<Point> {
+    let unit = common_unit(&points);
+    let [u, v] = vectors([points[1], points[2]], a);
+    let doubled_area: BigInt = cross(&u, &v) * 2;
+    if doubled_area.sign() == Sign::NoSign {
+        return None;
+    }
+    let [uu, vv] = [dot(&u, &u), dot(&v, &v)];
+    let numerators = [&v[1] * &uu - &u[1] * &vv, &u[0] * &vv - &v[0] * &uu];
+    let origin = scaled(a, unit);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &origin[k] * &doubled_area + &numerators[k];
+        saturated(&product, &doubled_area, unit)
+    });
+    Some(Point::new(x, y))
 }
 
 /// Finds the vectors from `origin` to `points`, up to a common factor.
