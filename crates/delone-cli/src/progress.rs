@@ -99,6 +99,8 @@ fn label(phase: Phase) -> &'static str {
         Phase::Refine => "refining",
         Phase::Smooth => "smoothing",
         Phase::Export => "renumbering",
+        Phase::Voronoi => "cells",
+        Phase::Relax => "relaxing",
         Phase::Check => "checking",
         Phase::Draw => "drawing",
         Phase::Write => "writing",

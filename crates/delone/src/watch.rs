@@ -23,6 +23,10 @@ pub enum Phase {
     Smooth,
     /// Renumbering into the caller's order.
     Export,
+    /// Making and clipping Voronoi cells.
+    Voronoi,
+    /// Relaxing points towards the centers of their cells; units are steps.
+    Relax,
     /// Verifying a triangulation.
     Check,
     /// Drawing a picture.

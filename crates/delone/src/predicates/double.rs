@@ -66,6 +66,19 @@ impl Add<f64> for Double {
 }
 
 /// Relative error at most 3u² + 13u³.
+impl Add for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        self - Self {
+            high: -b.high,
+            low: -b.low,
+        }
+    }
+}
+
+/// Relative error at most 3u² + 13u³.
 impl Sub for Double {
     type Output = Self;
 

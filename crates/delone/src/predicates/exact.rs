@@ -7,7 +7,7 @@
 use super::Weighted;
 use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::rounded;
+use super::quotient::{rounded, saturated};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -58,38 +58,29 @@ pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Orderin
     (u_lift * &v[along]).cmp(&(v_lift * &u[along]))
 }
 
-/// Finds the power centre of three points that are not collinear, each coordinate rounded.
+/// Finds the place of equal power with respect to three sites, correctly rounded; a coordinate beyond the
+/// largest number becomes that number. `None` if the points are on one line.
 ///
 /// With u and v the vectors from a to b and c, its vector z from a has 2u·z = |u|² + a's weight − b's
 /// and 2v·z likewise.
-pub(super) fn power_center(a: Weighted, b: Weighted, c: Weighted) -> Point {
+pub(super) fn power_center([a, b, c]: [Weighted; 3]) -> Option<Point> {
     let Lifted {
         vectors: [u, v],
         rises: [u_rise, v_rise],
         unit,
     } = Lifted::new([b, c], a);
-    let denominator: BigInt = cross(&u, &v) << 1;
-    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
-    let [ax, ay] = scaled(a.point, unit);
-    let x = ax * &denominator + &u_lift * &v[1] - &v_lift * &u[1];
-    let y = ay * &denominator + v_lift * &u[0] - u_lift * &v[0];
-    let [x, y] = [x, y].map(|numerator| rounded_or_infinite(&numerator, &denominator, unit));
-    Point::new(x, y)
-}
-
-/// Rounds as [`rounded`] does, and magnitudes of 2¹⁰²⁴ and more to infinity.
-fn rounded_or_infinite(numerator: &BigInt, denominator: &BigInt, unit: i32) -> f64 {
-    let (n, d) = (numerator.magnitude(), denominator.magnitude());
-    // The quotient is below 2^(bits + 1).
-    let bits = n.bits() as i64 - d.bits() as i64;
-    if bits + i64::from(unit) < 1024 || *n < d << (1024 - unit) {
-        return rounded(numerator, denominator, unit);
+    let doubled_area: BigInt = cross(&u, &v) * 2;
+    if doubled_area.sign() == Sign::NoSign {
+        return None;
     }
-    if (numerator.sign() == Sign::Minus) == (denominator.sign() == Sign::Minus) {
-        f64::INFINITY
-    } else {
-        f64::NEG_INFINITY
-    }
+    let [uu, vv] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    let numerators = [&v[1] * &uu - &u[1] * &vv, &u[0] * &vv - &v[0] * &uu];
+    let origin = scaled(a.point, unit);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &origin[k] * &doubled_area + &numerators[k];
+        saturated(&product, &doubled_area, unit)
+    });
+    Some(Point::new(x, y))
 }
 
 /// Sites relative to one of them, on a common lattice.

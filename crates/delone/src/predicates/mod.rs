@@ -4,8 +4,8 @@
 //! [stages](stage): a floating-point filter with a proven error bound (`filter.rs`), fixed-width
 //! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
 //! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). Points with weights have
-//! predicates of their own (`power.rs`). Two constructions live here too, because they are as exact as
-//! rounded numbers can be: [`crossing_point`] and [`power_center`].
+//! predicates of their own (`power.rs`). Constructions live here too, because they are as exact as
+//! rounded numbers can be: [`crossing_point`], [`circumcenter`] and [`power_center`].
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
@@ -20,6 +20,7 @@
 use crate::Point;
 use std::cmp::Ordering;
 
+mod center;
 mod crossing;
 mod double;
 mod dyadic;
@@ -240,6 +241,25 @@ pub fn is_between(a: Point, b: Point, p: Point) -> bool {
 /// ```
 pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<Point> {
     cross_properly(s, t).then(|| construct_crossing(s, t))
+}
+
+/// Returns the center of the circle through three points, each coordinate the `f64` nearest to the exact
+/// one (of two, the even one); `None` if they lie on one line.
+///
+/// A coordinate beyond the largest `f64` becomes that number.
+///
+/// Laws, for all finite points: symmetric in the three; the same for any three of a set of points on one
+/// circle; multiplying all coordinates by a power of two multiplies the result as long as nothing is
+/// rounded.
+///
+/// ```
+/// use delone::predicates::circumcenter;
+/// let [a, b, c] = [(0.0, 0.0), (6.0, 0.0), (0.0, 8.0)].map(Into::into);
+/// assert_eq!(circumcenter(a, b, c), Some((3.0, 4.0).into()));
+/// assert_eq!(circumcenter(a, b, b), None);
+/// ```
+pub fn circumcenter(a: Point, b: Point, c: Point) -> Option<Point> {
+    center::circumcenter([a, b, c])
 }
 
 /// [`crossing_point`] for callers who know that the segments cross properly.

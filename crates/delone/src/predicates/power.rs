@@ -2,11 +2,11 @@
 //!
 //! The *power* of a place q with respect to a point p of weight w is |q − p|² − w: outside the circle
 //! of squared radius w about p it is the squared length of a tangent. The three circles of a triangle
-//! have one place of equal power, its [power centre](power_center); with equal weights that is the
-//! circumcentre. Lifting p to height |p|² − w turns all of this into planes: whether a point lies
+//! have one place of equal power, its [power center](power_center); with equal weights that is the
+//! circumcenter. Lifting p to height |p|² − w turns all of this into planes: whether a point lies
 //! below the plane of three others is the [power test](in_power_circle).
 
-use super::{CircleSide, Orientation, exact, filter, integer, orient2d, perturbation};
+use super::{CircleSide, center, exact, filter, integer, perturbation};
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -131,13 +131,12 @@ pub(super) fn segment_sign(a: Weighted, b: Weighted, p: Weighted) -> (Ordering, 
 }
 
 /// Returns the place that has the same power with respect to `a`, `b` and `c`, each coordinate the
-/// `f64` nearest to the exact one (of two, the even one); infinite if it exceeds all finite ones.
-/// `None` if the three points are collinear.
+/// `f64` nearest to the exact one (of two, the even one); `None` if the three points lie on one line.
+///
+/// A coordinate beyond the largest `f64` becomes that number.
 ///
 /// Laws, for all finite points and weights: the same for every order of the three; if their weights
-/// are equal, the circumcentre.
-///
-/// *Cost*: a few microseconds, in big integers.
+/// are equal, the [circumcenter](super::circumcenter).
 ///
 /// ```
 /// use delone::predicates::{Weighted, power_center};
@@ -147,6 +146,5 @@ pub(super) fn segment_sign(a: Weighted, b: Weighted, p: Weighted) -> (Ordering, 
 /// assert_eq!(center(8.0), Some((2.0, 1.0).into())); // a heavy point pushes it away
 /// ```
 pub fn power_center(a: Weighted, b: Weighted, c: Weighted) -> Option<Point> {
-    let turn = orient2d(a.point, b.point, c.point);
-    (turn != Orientation::Collinear).then(|| exact::power_center(a, b, c))
+    center::power_center([a, b, c])
 }

@@ -27,6 +27,24 @@ pub(super) fn rounded(numerator: &BigInt, denominator: &BigInt, unit: i32) -> f6
     }
 }
 
+/// As [`rounded`], for any magnitude: what exceeds that of the largest `f64` becomes that.
+pub(super) fn saturated(numerator: &BigInt, denominator: &BigInt, unit: i32) -> f64 {
+    /// Far from both ends of the range of numbers.
+    const REDUCTION: i32 = 100;
+    let excess = numerator.bits() as i64 - denominator.bits() as i64 + i64::from(unit);
+    match excess {
+        ..1000 => rounded(numerator, denominator, unit),
+        // Scaled down, so that the quotient fits; scaling it back is exact, or overflows.
+        1000..1050 => {
+            let reduced = rounded(numerator, denominator, unit - REDUCTION);
+            let restored = reduced * f64::from_bits(((1023 + REDUCTION) as u64) << 52);
+            restored.clamp(-f64::MAX, f64::MAX)
+        }
+        _ if numerator.sign() == denominator.sign() => f64::MAX,
+        _ => -f64::MAX,
+    }
+}
+
 /// Returns the integer part of `n / d · 2^shift`, which fits 64 bits, and whether that is all.
 fn divided(n: &BigUint, d: &BigUint, shift: i64) -> (u64, bool) {
     let (n, d) = if shift >= 0 {

@@ -52,7 +52,7 @@ use crate::{Error, Mesh, Point, Watch, parallel};
 ///
 /// let t = regular::triangulate(with_center(0.0))?;
 /// assert_eq!((t.triangulation().num_triangles(), t.hidden().len()), (4, 0));
-/// // Corners that are so much stronger leave nothing for the centre: 2² + 2² < 9.
+/// // Corners that are so much stronger leave nothing for the center: 2² + 2² < 9.
 /// let t = regular::triangulate(with_center(-9.0))?;
 /// assert_eq!((t.triangulation().num_triangles(), t.hidden()), (2, &[4.into()][..]));
 /// # Ok::<(), delone::Error>(())

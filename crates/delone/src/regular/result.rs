@@ -73,11 +73,11 @@ impl Regular {
         self.hidden.binary_search(&v).is_ok()
     }
 
-    /// Returns the power centre of triangle `t`, where the cells of its corners meet, correctly
+    /// Returns the power center of triangle `t`, where the cells of its corners meet, correctly
     /// [rounded](power_center).
     ///
     /// Centres are distinct or equal as exact places round; triangles that only the symbolic perturbation
-    /// tells apart have one exact centre, and get the same one.
+    /// tells apart have one exact center, and get the same one.
     ///
     /// # Panics
     /// If `t` is no triangle.

@@ -1,1 +1,52 @@
-//! The Voronoi diagram: cells, clipped to boxes and polygons, and Lloyd's relaxation.
+//! The Voronoi diagram: for each point the part of the plane that is nearer to it than to any other;
+//! cells clipped to boxes and polygons, what they amount to, and Lloyd's relaxation.
+//!
+//! ```text
+//! Triangulation ── dual ──> Voronoi ── trace, overlay ──> Clipped ── measure ──> areas, centroids …
+//!                                      Domain ──┘            └── lloyd ──> points, evenly spread
+//! ```
+//!
+//! The diagram is the dual of the Delaunay triangulation. Its structure is exact: vertices are the
+//! circumcenters, *one* for all triangles on one circle (which `in_circle` says, with no tolerance), so
+//! the four cells around a square of a grid meet in one vertex and no edge has length zero unless
+//! rounding makes it so. Positions of vertices are [rounded
+//! correctly](crate::predicates::circumcenter). Two points have an edge that is a line, as do points
+//! that all lie on one line; one point has the whole plane; an equal point has the cell of the one that
+//! stands for it.
+//!
+//! [Clipping](Voronoi::clip) follows the boundary of a [`Domain`] from cell to cell, and puts the parts
+//! together from where it crosses the edges. Which parts there are is decided by the order of crossings
+//! alone, in which each edge is the same for both its cells; so areas of clipped cells add up to that of
+//! the domain, up to rounding, however degenerate the two lie to each other. A polygon need not be
+//! convex, and cells may come in several parts with holes. Where a boundary runs along an edge, the part
+//! of no area at the other side is left out if that is so in rounded numbers, too.
+//!
+//! *Cost*: O(n) for the diagram, a quarter of the time of the triangulation and more; clipping O(n + k
+//! log k + b) for k crossings, where b counts, for each segment of the boundary, the sides of the cells that it
+//! passes. A cell of very many sides in which very many segments lie is therefore slow.
+//!
+//! *Does not* know weights: those are for power diagrams. `Diagram` and `Metric` are made for both.
+//!
+//! G. Voronoi, *Nouvelles applications des paramètres continus à la théorie des formes quadratiques*
+//! (1908); F. Aurenhammer, *Voronoi diagrams* (1991); S. P. Lloyd, *Least squares quantization in PCM*
+//! (1982); Q. Du, V. Faber, M. Gunzburger, *Centroidal Voronoi tessellations* (1999). Tracing and
+//! matching are the work of K. Weiler and P. Atherton, *Hidden surface removal using polygon area
+//! sorting* (1977), made proof against rounding by levels.
+
+mod clipped;
+mod diagram;
+mod domain;
+mod dual;
+mod lloyd;
+mod measure;
+mod overlay;
+mod parts;
+mod result;
+mod trace;
+
+pub use clipped::Clipped;
+pub use domain::Domain;
+pub use lloyd::{Lloyd, Relaxed};
+pub use measure::Measure;
+pub use parts::Part;
+pub use result::{Cell, CellSide, Edge, Line, Voronoi};

@@ -153,7 +153,7 @@ impl Lifted {
         (det != Relaxed::ZERO).then(|| [(&u * s - q * &v) / &det, (p * v - u * r) / det])
     }
 
-    /// Tells whether no `f64` is nearer to `exact`; half of the way beyond the largest is infinity's.
+    /// Tells whether no `f64` is nearer to `exact`.
     pub fn is_nearest(found: f64, exact: &Relaxed) -> bool {
         let rational = |c: f64| Relaxed::try_from(c).expect("finite");
         let distance = |c: f64| {
@@ -164,21 +164,21 @@ impl Lifted {
                 difference
             }
         };
-        if found.is_infinite() {
-            let largest = f64::MAX.copysign(found);
-            let last = rational(f64::MAX) - rational(f64::MAX.next_down());
-            let limit = rational(largest) + rational(0.5_f64.copysign(found)) * last;
-            return if found > 0.0 {
-                *exact >= limit
+        if found.abs() == f64::MAX {
+            let is_beyond = if found > 0.0 {
+                *exact >= rational(found)
             } else {
-                *exact <= limit
+                *exact <= rational(found)
             };
+            if is_beyond {
+                return true;
+            }
         }
         let best = distance(found);
         let others = [found.next_up(), found.next_down()];
         others.into_iter().filter(|c| c.is_finite()).all(|c| {
             let other = distance(c);
-            best < other || (best == other && found.to_bits() % 2 == 0)
+            best < other || (best == other && found.to_bits().is_multiple_of(2))
         })
     }
 }
