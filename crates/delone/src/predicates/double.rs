@@ -65,7 +65,7 @@ impl Add<f64> for Double {
     }
 }
 
-/// Relative error at most 3u² + 13u³ if the numbers have the same sign.
+/// Relative error at most 3u² + 13u³.
 impl Add for Double {
     type Output = Self;
 

@@ -56,6 +56,52 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Point::new(x, y)
 }
 
+/// Finds the sign of the dot product of `b − a` and `q − p`.
+pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
+    let [along, other] = two_vectors([p, q], [a, b]);
+    sign(&dot(&along, &other))
+}
+
+/// Finds the sign of the cross product of `q − p` and `b − a`.
+pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
+    let [along, other] = two_vectors([p, q], [a, b]);
+    sign(&cross(&along, &other))
+}
+
+fn two_vectors([p, q]: [Point; 2], [a, b]: [Point; 2]) -> [[BigInt; 2]; 2] {
+    let unit = common_unit(&[p, q, a, b]);
+    let vector = |a: Point, b: Point| minus(&scaled(b, unit), &scaled(a, unit));
+    [vector(p, q), vector(a, b)]
+}
+
+/// Compares where a segment meets two bisectors, towards whose other sites it runs.
+pub(super) fn compare_meetings([p, q]: [Point; 2], site: Point, a: Point, b: Point) -> Ordering {
+    let [along, site, a, b] = vectors([q, site, a, b], p);
+    let meeting = |other: &[BigInt; 2]| {
+        let normal = minus(other, &site);
+        let doubled_middle = [0, 1].map(|k| &other[k] + &site[k]);
+        (dot(&normal, &doubled_middle), dot(&normal, &along))
+    };
+    let [(na, da), (nb, db)] = [meeting(&a), meeting(&b)];
+    (na * db).cmp(&(nb * da))
+}
+
+/// Finds the point between the ends of a segment that is equally far from two sites, correctly rounded.
+pub(super) fn bisector_place([p, q]: [Point; 2], a: Point, b: Point) -> Point {
+    let unit = common_unit(&[p, q, a, b]);
+    let [p, q, a, b] = [p, q, a, b].map(|p| scaled(p, unit));
+    let [normal, along, from, to] =
+        [[&b, &a], [&q, &p], [&a, &p], [&b, &p]].map(|[to, from]| minus(to, from));
+    let doubled_middle = [0, 1].map(|k| &from[k] + &to[k]);
+    let numerator: BigInt = dot(&normal, &doubled_middle);
+    let denominator: BigInt = dot(&normal, &along) * 2;
+    let [x, y] = [0, 1].map(|k| {
+        let product = &p[k] * &denominator + &along[k] * &numerator;
+        rounded(&product, &denominator, unit)
+    });
+    Point::new(x, y)
+}
+
 /// Finds the center of the circle through three points, correctly rounded; a coordinate beyond the
 /// largest number becomes that number. `None` if the points are on one line.
 pub(super) fn circumcenter(points @ [a, _, _]: [Point; 3]) -> Option<Point> {

@@ -102,6 +102,22 @@ pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
     certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
 }
 
+/// Finds the sign of the dot product of `b − a` and `q − p`.
+#[inline(always)]
+pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.x - a.x);
+    let r = (q.y - p.y) * (b.y - a.y);
+    certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the cross product of `q − p` and `b − a`.
+#[inline(always)]
+pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.y - a.y);
+    let r = (q.y - p.y) * (b.x - a.x);
+    certain(l - r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
 /// Reads the sign of `value` if it is farther from zero than `bound`.
 #[inline(always)]
 fn certain(value: f64, bound: f64) -> Option<Ordering> {

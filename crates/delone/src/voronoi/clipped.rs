@@ -24,7 +24,7 @@ impl Voronoi {
         let metric = Euclidean(&self.sites);
         let trace = match self.cells().next() {
             Some(cell) => {
-                let tracer = Tracer::new(&self.diagram, &self.sites, &metric, domain.points());
+                let tracer = Tracer::new(&self.diagram, &self.sites, &metric);
                 tracer.follow(domain.rings(), domain.points(), cell.site(), &mut pace)?
             }
             None => Trace::default(),
