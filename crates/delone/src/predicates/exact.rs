@@ -93,6 +93,12 @@ struct Lifted<const K: usize> {
 }
 
 impl<const K: usize> Lifted<K> {
+    /// Returns the power of the origin with respect to a site, the weight of the origin added.
+    fn power(&self, site: usize) -> BigInt {
+        let vector = &self.vectors[site];
+        dot(vector, vector) + &self.rises[site]
+    }
+
     fn new(sites: [Weighted; K], origin: Weighted) -> Self {
         let all = || sites.iter().chain([&origin]);
         let points = all().map(|s| common_unit(&[s.point]));
@@ -127,6 +133,61 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     let [x, y] = [0, 1].map(|k| {
         let product = &a[k] * &denominator + &along[k] * &numerator;
         rounded(&product, &denominator, unit)
+    });
+    Point::new(x, y)
+}
+
+/// Finds the sign of the dot product of `b − a` and `q − p`.
+pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
+    let [along, other] = two_vectors([p, q], [a, b]);
+    sign(&dot(&along, &other))
+}
+
+/// Finds the sign of the cross product of `q − p` and `b − a`.
+pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
+    let [along, other] = two_vectors([p, q], [a, b]);
+    sign(&cross(&along, &other))
+}
+
+fn two_vectors([p, q]: [Point; 2], [a, b]: [Point; 2]) -> [[BigInt; 2]; 2] {
+    let unit = common_unit(&[p, q, a, b]);
+    let vector = |a: Point, b: Point| minus(&scaled(b, unit), &scaled(a, unit));
+    [vector(p, q), vector(a, b)]
+}
+
+/// Compares the powers of `p` with respect to two sites.
+pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Ordering {
+    let lifted = Lifted::new([a, b], Weighted::new(p, 0.0));
+    lifted.power(0).cmp(&lifted.power(1))
+}
+
+/// Compares where a segment meets two bisectors, towards whose other sites it runs: where powers are
+/// equal; without weights that is where distances are.
+pub(super) fn compare_meetings([p, q]: [Point; 2], sites: [Weighted; 3]) -> Ordering {
+    let [site, a, b] = sites;
+    let [p, q] = [p, q].map(|p| Weighted::new(p, 0.0));
+    let lifted = Lifted::new([site, a, b, q], p);
+    let [site, _, _, along] = &lifted.vectors;
+    let meeting = |other: usize| {
+        let normal = minus(&lifted.vectors[other], site);
+        (lifted.power(other) - lifted.power(0), dot(&normal, along))
+    };
+    let [(na, da), (nb, db)] = [meeting(1), meeting(2)];
+    (na * db).cmp(&(nb * da))
+}
+
+/// Finds the point on the line of a segment that has equal powers with respect to two sites, correctly
+/// rounded; a coordinate beyond the largest number becomes that number.
+pub(super) fn bisector_place([p, q]: [Point; 2], a: Weighted, b: Weighted) -> Point {
+    let [origin, q] = [p, q].map(|p| Weighted::new(p, 0.0));
+    let lifted = Lifted::new([a, b, q], origin);
+    let [a, b, along] = &lifted.vectors;
+    let numerator = lifted.power(1) - lifted.power(0);
+    let denominator: BigInt = dot(&minus(b, a), along) * 2;
+    let p = scaled(p, lifted.unit);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &p[k] * &denominator + &along[k] * &numerator;
+        saturated(&product, &denominator, lifted.unit)
     });
     Point::new(x, y)
 }

@@ -57,6 +57,11 @@ const POWER_BOUND: f64 = 6.2e-16;
 /// each (difference, square, sum), 4u = 4.441e-16, and 20u² for what follows.
 const DISTANCE_BOUND: f64 = 4.5e-16;
 
+/// Bounds the error of the difference of two powers, relative to the sum of squared lengths and the
+/// difference of weights: four roundings in each squared length, one in the difference of weights and
+/// one in that of the lengths, 5u = 5.551e-16, and 20u² for what follows.
+const COMPARE_POWERS_BOUND: f64 = 5.6e-16;
+
 /// 2⁻⁹⁶⁰: determinants of two vectors below this are not trusted.
 const FLOOR: f64 = f64::from_bits((1023 - 960) << 52);
 
@@ -137,12 +142,41 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering
     certain(al - bl, DISTANCE_BOUND * (al + bl) + FLOOR)
 }
 
+/// Compares the powers of `p` with respect to two sites.
+#[inline(always)]
+pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Option<Ordering> {
+    let square = |q: Point| {
+        let [x, y] = [q.x - p.x, q.y - p.y];
+        x * x + y * y
+    };
+    let [al, bl] = [square(a.point), square(b.point)];
+    let rise = b.weight - a.weight;
+    let bound = COMPARE_POWERS_BOUND * (al + bl + rise.abs()) + FLOOR;
+    certain(al - bl + rise, bound)
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
     let l = (a.x - p.x) * (b.x - p.x);
     let r = (a.y - p.y) * (b.y - p.y);
     certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the dot product of `b − a` and `q − p`.
+#[inline(always)]
+pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.x - a.x);
+    let r = (q.y - p.y) * (b.y - a.y);
+    certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the cross product of `q − p` and `b − a`.
+#[inline(always)]
+pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.y - a.y);
+    let r = (q.y - p.y) * (b.x - a.x);
+    certain(l - r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
 }
 
 /// Reads the sign of `value` if it is farther from zero than `bound`.

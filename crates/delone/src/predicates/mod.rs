@@ -20,6 +20,7 @@
 use crate::Point;
 use std::cmp::Ordering;
 
+mod bisector;
 mod center;
 mod crossing;
 mod double;
@@ -35,9 +36,10 @@ pub mod stage;
 
 pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
 pub use power::{
-    Weighted, in_power_circle, in_power_circle_perturbed, in_power_segment,
+    Weighted, compare_powers, in_power_circle, in_power_circle_perturbed, in_power_segment,
     in_power_segment_perturbed, power_center,
 };
+pub(crate) use power::{compare_power_meetings, power_place};
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -265,6 +267,32 @@ pub fn circumcenter(a: Point, b: Point, c: Point) -> Option<Point> {
 /// [`crossing_point`] for callers who know that the segments cross properly.
 pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
     crossing::crossing(s, t).0
+}
+
+/// Tells whether the way from `p` to `q` leads from `a` towards `b`: the sign of the dot product of the two
+/// vectors.
+pub(crate) fn towards(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    filter::towards(way, ends).unwrap_or_else(|| exact::towards(way, ends))
+}
+
+/// Tells whether `b` lies to the left or right of `a` for someone who looks from `p` to `q`.
+pub(crate) fn turning(way: [Point; 2], ends: [Point; 2]) -> Orientation {
+    let sign = filter::turning(way, ends).unwrap_or_else(|| exact::turning(way, ends));
+    Orientation::from_sign(sign)
+}
+
+/// Compares where a way, going on for ever, comes to be as near to `a` as to `site`, and where as near to
+/// `b`. It must lead from `site` [towards] both.
+pub(crate) fn compare_meetings(way: [Point; 2], site: Point, a: Point, b: Point) -> Ordering {
+    bisector::compare(way, site, a, b).unwrap_or_else(|| {
+        exact::compare_meetings(way, [site, a, b].map(|p| Weighted::new(p, 0.0)))
+    })
+}
+
+/// Returns the point of a segment that is equally far from two sites, each coordinate the `f64` nearest to
+/// the exact one. There must be exactly one such point between its ends, or at one.
+pub(crate) fn bisector_place(segment: [Point; 2], a: Point, b: Point) -> Point {
+    bisector::place(segment, a, b)
 }
 
 /// Tells whether a segment passes `p` as far as `f64` can tell: its point of the same abscissa, or of

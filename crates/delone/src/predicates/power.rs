@@ -148,3 +148,32 @@ pub(super) fn segment_sign(a: Weighted, b: Weighted, p: Weighted) -> (Ordering, 
 pub fn power_center(a: Weighted, b: Weighted, c: Weighted) -> Option<Point> {
     center::power_center([a, b, c])
 }
+
+/// Compares the powers of `p` with respect to `a` and to `b`: the site of less power has `p` in its cell
+/// of their power diagram.
+///
+/// Laws, for all finite points and weights: a total preorder of the sites for each `p`, reversed when `a`
+/// and `b` are exchanged; with equal weights, that of
+/// [`compare_distances`](super::compare_distances).
+#[inline]
+pub fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Ordering {
+    filter::compare_powers(p, a, b).unwrap_or_else(|| exact::compare_powers(p, a, b))
+}
+
+/// Compares where a way, going on for ever, comes to have the same power with respect to `a` as to
+/// `site`, and where the same as to `b`. It must lead from `site` [towards](super::towards) both.
+pub(crate) fn compare_power_meetings(
+    way: [Point; 2],
+    site: Weighted,
+    a: Weighted,
+    b: Weighted,
+) -> Ordering {
+    exact::compare_meetings(way, [site, a, b])
+}
+
+/// Returns the point on the line of a segment that has the same power with respect to two sites, each
+/// coordinate the `f64` nearest to the exact one, at most the largest. There must be exactly one such
+/// point on the line.
+pub(crate) fn power_place(segment: [Point; 2], a: Weighted, b: Weighted) -> Point {
+    exact::bisector_place(segment, a, b)
+}

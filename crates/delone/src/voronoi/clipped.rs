@@ -1,7 +1,7 @@
 //! Cells clipped to a domain.
 
 use super::Voronoi;
-use super::diagram::Euclidean;
+use super::diagram::{Euclidean, Metric};
 use super::domain::Domain;
 use super::measure::{Measure, Moments, Unit, second_moment};
 use super::overlay::Overlay;
@@ -21,13 +21,9 @@ impl Voronoi {
         let n = self.sites.len();
         let work = 2 * n + domain.points().len();
         let mut pace = Pace::new(watch, Phase::Voronoi, work as u64);
-        let metric = Euclidean(&self.sites);
-        let trace = match self.cells().next() {
-            Some(cell) => {
-                let tracer = Tracer::new(&self.diagram, &self.sites, &metric, domain.points());
-                tracer.follow(domain.rings(), domain.points(), cell.site(), &mut pace)?
-            }
-            None => Trace::default(),
+        let trace = match self.power() {
+            Some(metric) => self.trace(&metric, domain, &mut pace)?,
+            None => self.trace(&Euclidean(&self.sites), domain, &mut pace)?,
         };
         let overlay = Overlay::new(&self.diagram, &self.sites, domain, trace, &mut pace)?;
         let (shapes, lengths) = overlay.cut(n, &mut pace)?;
@@ -37,6 +33,22 @@ impl Voronoi {
             shapes,
             lengths,
         })
+    }
+
+    /// Follows the boundaries of a domain through the cells.
+    fn trace(
+        &self,
+        metric: &impl Metric,
+        domain: &Domain,
+        pace: &mut Pace,
+    ) -> Result<Trace, Error> {
+        // Of cells without sides there is no way on to others.
+        let has_sides = self.cells().find(|cell| cell.sides().len() > 0);
+        let Some(start) = has_sides.or_else(|| self.cells().next()) else {
+            return Ok(Trace::default());
+        };
+        let tracer = Tracer::new(&self.diagram, &self.sites, metric);
+        tracer.follow(domain.rings(), domain.points(), start.site(), pace)
     }
 }
 

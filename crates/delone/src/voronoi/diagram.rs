@@ -11,21 +11,36 @@
 //! power diagram. What depends on that is a [`Metric`].
 
 use crate::pace::Pace;
-use crate::predicates::compare_distances;
+use crate::predicates::{
+    Weighted, bisector_place, compare_distances, compare_meetings, compare_power_meetings,
+    compare_powers, power_place, towards,
+};
 use crate::{Error, HalfEdgeId, Mesh, Point, VertexId};
 use std::cmp::Ordering;
 
 /// Stands for the end of an edge at infinity, and for the dual vertex of a ghost.
 pub(crate) const AT_INFINITY: u32 = u32::MAX;
 
-/// How far sites are from points.
+/// How far sites are from points, and what follows from it. All but [`place`](Self::place) is exact.
 pub(crate) trait Metric {
-    /// Compares how far `p` is from two sites, exactly.
+    /// Compares how far `p` is from two sites.
     fn compare(&self, p: Point, a: VertexId, b: VertexId) -> Ordering;
 
-    /// Returns how far a site counts as farther than by its distance alone: what is to be added to the
-    /// square of the distance. Zero for all if there are no weights.
-    fn handicap(&self, site: VertexId) -> f64;
+    /// Tells whether a way leads from one site towards another, so that the other one is nearer in the end.
+    fn towards(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Ordering;
+
+    /// Compares where a way comes to be as near to `a` as to `site`, and where as near to `b`, both of
+    /// which it leads towards.
+    fn compare_meetings(
+        &self,
+        way: [Point; 2],
+        site: VertexId,
+        a: VertexId,
+        b: VertexId,
+    ) -> Ordering;
+
+    /// Finds the point of a segment that is equally far from two sites, rounded.
+    fn place(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Point;
 }
 
 /// The distance itself.
@@ -38,8 +53,66 @@ impl Metric for Euclidean<'_> {
     }
 
     #[inline]
-    fn handicap(&self, _site: VertexId) -> f64 {
-        0.0
+    fn towards(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Ordering {
+        towards(way, [a, b].map(|v| self.0[v.index()]))
+    }
+
+    fn compare_meetings(
+        &self,
+        way: [Point; 2],
+        site: VertexId,
+        a: VertexId,
+        b: VertexId,
+    ) -> Ordering {
+        let [site, a, b] = [site, a, b].map(|v| self.0[v.index()]);
+        compare_meetings(way, site, a, b)
+    }
+
+    fn place(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Point {
+        bisector_place(way, self.0[a.index()], self.0[b.index()])
+    }
+}
+
+/// The power of sites with weights.
+pub(crate) struct Power<'a> {
+    pub points: &'a [Point],
+    pub weights: &'a [f64],
+}
+
+impl Power<'_> {
+    #[inline]
+    pub fn site(&self, v: VertexId) -> Weighted {
+        Weighted {
+            point: self.points[v.index()],
+            weight: self.weights[v.index()],
+        }
+    }
+}
+
+impl Metric for Power<'_> {
+    #[inline]
+    fn compare(&self, p: Point, a: VertexId, b: VertexId) -> Ordering {
+        compare_powers(p, self.site(a), self.site(b))
+    }
+
+    /// Weights move bisectors, but do not turn them.
+    #[inline]
+    fn towards(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Ordering {
+        Euclidean(self.points).towards(way, a, b)
+    }
+
+    fn compare_meetings(
+        &self,
+        way: [Point; 2],
+        site: VertexId,
+        a: VertexId,
+        b: VertexId,
+    ) -> Ordering {
+        compare_power_meetings(way, self.site(site), self.site(a), self.site(b))
+    }
+
+    fn place(&self, way: [Point; 2], a: VertexId, b: VertexId) -> Point {
+        power_place(way, self.site(a), self.site(b))
     }
 }
 

@@ -44,18 +44,6 @@ impl Unit {
         Point::new(p.x / self.size, p.y / self.size)
     }
 
-    /// Returns an area, or another square, in squared units.
-    #[inline]
-    pub fn squares(self, area: f64) -> f64 {
-        area / self.size / self.size
-    }
-
-    /// Returns a length in units.
-    #[inline]
-    pub fn units(self, length: f64) -> f64 {
-        length / self.size
-    }
-
     /// Returns what so many units are, at most the largest number.
     #[inline]
     pub fn length(self, units: f64) -> f64 {

@@ -25,7 +25,7 @@
 //! log k + b) for k crossings, where b counts, for each segment of the boundary, the sides of the cells that it
 //! passes. A cell of very many sides in which very many segments lie is therefore slow.
 //!
-//! *Does not* know weights: those are for power diagrams. `Diagram` and `Metric` are made for both.
+//! Sites may have weights: the [power diagram](Voronoi::weighted) is cut and clipped alike.
 //!
 //! G. Voronoi, *Nouvelles applications des paramètres continus à la théorie des formes quadratiques*
 //! (1908); F. Aurenhammer, *Voronoi diagrams* (1991); S. P. Lloyd, *Least squares quantization in PCM*
@@ -41,6 +41,7 @@ mod lloyd;
 mod measure;
 mod overlay;
 mod parts;
+mod power;
 mod result;
 mod trace;
 

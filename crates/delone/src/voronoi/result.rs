@@ -1,6 +1,6 @@
 //! The diagram as it is handed out.
 
-use super::diagram::{AT_INFINITY, Diagram, Side};
+use super::diagram::{AT_INFINITY, Diagram, Euclidean, Metric, Power, Side};
 use super::dual::Dual;
 use super::measure::{Measure, Moments, difference, length};
 use crate::pace::Pace;
@@ -28,7 +28,11 @@ use std::borrow::Cow;
 pub struct Voronoi {
     pub(super) sites: Vec<Point>,
     pub(super) diagram: Diagram,
-    duplicates: Vec<Duplicate>,
+    pub(super) duplicates: Vec<Duplicate>,
+    /// Of a power diagram.
+    pub(super) weights: Option<Vec<f64>>,
+    /// Sites without a cell, sorted.
+    pub(super) hidden: Vec<VertexId>,
 }
 
 /// An edge: what is equally far from two sites, and not farther from them than from any other.
@@ -76,12 +80,12 @@ impl Voronoi {
         let faces = triangulation.mesh().num_faces() as u64;
         let mut pace = Pace::new(watch, Phase::Voronoi, 3 * faces);
         let points = triangulation.points();
-        let (t, dual) = match Dual::of(triangulation.mesh(), points, &mut pace)? {
+        let (t, dual) = match Dual::of(triangulation.mesh(), &Euclidean(points), &mut pace)? {
             Some(dual) => (Cow::Borrowed(triangulation), dual),
             None => {
                 let builder = Delaunay::new().watch(watch);
                 let t = builder.triangulate(points.iter().copied())?;
-                let dual = Dual::of(t.mesh(), points, &mut pace)?;
+                let dual = Dual::of(t.mesh(), &Euclidean(points), &mut pace)?;
                 (Cow::Owned(t), dual.expect("bug: not Delaunay"))
             }
         };
@@ -92,6 +96,8 @@ impl Voronoi {
             sites: points.to_vec(),
             diagram,
             duplicates: t.duplicates().to_vec(),
+            weights: None,
+            hidden: Vec::new(),
         })
     }
 
@@ -152,13 +158,26 @@ impl Voronoi {
         [0.0 - y / length, x / length]
     }
 
+    /// Returns the point between two sites that is equally far from both; with weights, the point of their
+    /// line of equal power.
     fn middle(&self, sites: [VertexId; 2]) -> Point {
         let [a, b] = sites.map(|v| self.sites[v.index()]);
+        if let Some(metric) = self.power() {
+            return metric.place([a, b], sites[0], sites[1]);
+        }
         let between = |a: f64, b: f64| match (a + b).is_finite() {
             true => (a + b) / 2.0,
             false => a / 2.0 + b / 2.0,
         };
         Point::new(between(a.x, b.x), between(a.y, b.y))
+    }
+
+    /// Returns the metric of a power diagram.
+    pub(super) fn power(&self) -> Option<Power<'_>> {
+        let points = &self.sites;
+        self.weights
+            .as_deref()
+            .map(|weights| Power { points, weights })
     }
 
     /// Returns the site that stands for another: itself unless it is a duplicate.
@@ -171,7 +190,8 @@ impl Voronoi {
         }
     }
 
-    /// Returns the cell of a site, for a duplicate that of the site that stands for it.
+    /// Returns the cell of a site, for a duplicate that of the site that stands for it. That of a site
+    /// hidden in a power diagram has no sides.
     ///
     /// # Panics
     /// If there is no such site.
@@ -183,11 +203,15 @@ impl Voronoi {
         }
     }
 
-    /// Visits the cells, one for each distinct site, by site.
+    /// Visits the cells, one for each distinct site, by site; in a power diagram one for each that is not
+    /// hidden.
     pub fn cells(&self) -> impl Iterator<Item = Cell<'_>> {
         let mut duplicates = self.duplicates.iter().map(|d| d.dropped).peekable();
+        let mut hidden = self.hidden.iter().copied().peekable();
         let sites = (0..self.sites.len()).map(VertexId::new);
-        let distinct = sites.filter(move |site| duplicates.next_if_eq(site).is_none());
+        let distinct = sites.filter(move |site| {
+            duplicates.next_if_eq(site).is_none() && hidden.next_if_eq(site).is_none()
+        });
         distinct.map(|site| Cell {
             voronoi: self,
             site,
@@ -226,13 +250,17 @@ impl<'a> Cell<'a> {
 
     /// Tells whether the cell has an end everywhere: whether its site lies inside the convex hull.
     pub fn is_bounded(&self) -> bool {
-        let mut sides = self.inner_sides();
-        let first = sides.next();
-        first.is_some_and(|side| self.voronoi.diagram.ends(side)[0] != AT_INFINITY)
+        let diagram = &self.voronoi.diagram;
+        match self.inner_sides().next() {
+            Some(side) => diagram.ends(side)[0] != AT_INFINITY,
+            // A lone site has the plane; among others, weights may leave one a point or nothing.
+            None => !diagram.edges.is_empty(),
+        }
     }
 
     /// Visits the sides counter-clockwise. If the cell is not bounded, the first begins at infinity and the
-    /// last ends there; between two lines, both do. The cell of a lone site has no sides.
+    /// last ends there; between two lines, both do. The cell of a lone site has no sides; in a power diagram there may be
+    /// cells without sides that are a point or nothing.
     pub fn sides(&self) -> impl ExactSizeIterator<Item = CellSide> + Clone + use<'a> {
         let diagram = &self.voronoi.diagram;
         self.inner_sides().map(|side| CellSide {

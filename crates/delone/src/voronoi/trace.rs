@@ -6,18 +6,19 @@
 //!               ┊                     and another begins there in s'
 //! ```
 //!
-//! In which cell a vertex of the boundary lies is decided exactly. On the way from one vertex to the
-//! next, rounded numbers say which side of the cell comes first; each step leads to a site that lies
-//! farther along, so the walk ends. If rounding has led it astray, it goes on from site to nearer site,
-//! which is exact again. So the crossings of a boundary always form a closed walk from cell to
-//! neighbouring cell, and with them alone, not with coordinates, the overlay reasons.
+//! Every step is exact: in which cell a vertex of the boundary lies, and through which side a segment
+//! leaves a cell. Where that is undecided, because the boundary runs along edges or through vertices of the
+//! diagram, it counts as if it were shifted to its left, a little into the domain: so the cells at its
+//! other side are not touched. Only the places of crossings are rounded, correctly.
+//!
+//! *Terminates*: each step along a segment leads to a site that lies farther along.
 //!
 //! *Cost*: the sides of each cell that is passed, for each segment that passes it.
 
 use super::diagram::{Diagram, Metric, Side};
 use super::domain::Boundary;
-use super::measure::{Unit, difference};
 use crate::pace::Pace;
+use crate::predicates::{Orientation, orient2d, turning};
 use crate::{Error, Point, VertexId};
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -63,29 +64,17 @@ pub(super) struct Tracer<'a, M> {
     diagram: &'a Diagram,
     sites: &'a [Point],
     metric: &'a M,
-    unit: Unit,
     trace: Trace,
     /// The chain that is open: where its vertices begin, and the crossing where it does.
     open: (usize, u32),
 }
 
-/// The segment that is followed, in units.
-struct Way {
-    p: Point,
-    q: Point,
-    from: Point,
-    vector: [f64; 2],
-    direction: [f64; 2],
-}
-
 impl<'a, M: Metric> Tracer<'a, M> {
-    /// `points` are the vertices of all boundaries.
-    pub fn new(diagram: &'a Diagram, sites: &'a [Point], metric: &'a M, points: &[Point]) -> Self {
+    pub fn new(diagram: &'a Diagram, sites: &'a [Point], metric: &'a M) -> Self {
         Self {
             diagram,
             sites,
             metric,
-            unit: Unit::of_points(sites.iter().chain(points)),
             trace: Trace::default(),
             open: (0, UNKNOWN),
         }
@@ -115,13 +104,17 @@ impl<'a, M: Metric> Tracer<'a, M> {
         pace: &mut Pace,
     ) -> Result<VertexId, Error> {
         let first_chain = self.trace.chains.len();
-        let start = self.locate(ring[0], near, pace)?;
+        let mut start = self.locate(ring[0], near, pace)?;
+        let way = |i: usize| [ring[i], ring[(i + 1) % ring.len()]];
+        while let Some(side) = self.side_to_the_left(way(0), ring[0], start) {
+            start = self.diagram.beyond(side);
+        }
         self.open = (self.trace.trail.len(), UNKNOWN);
         let mut cell = start;
         for (i, &p) in ring.iter().enumerate() {
             self.trace.trail.push(p);
-            let q = ring[(i + 1) % ring.len()];
-            cell = self.walk(number, [p, q], cell, pace)?;
+            cell = self.keep_left(number, way(i), p, cell);
+            cell = self.walk(number, way(i), cell, pace)?;
         }
         self.turn(number, ring[0], cell, start);
         self.close(number, first_chain, start);
@@ -172,35 +165,69 @@ impl<'a, M: Metric> Tracer<'a, M> {
     fn walk(
         &mut self,
         ring: u32,
-        segment: [Point; 2],
+        way: [Point; 2],
         mut cell: VertexId,
         pace: &mut Pace,
     ) -> Result<VertexId, Error> {
-        let way = self.way(segment);
-        let (mut at, mut is_astray) = (0.0, false);
-        while let Some(nearest) = self.nearest_side(way.q, cell) {
+        while self.nearest_side(way[1], cell).is_some() {
             pace.step()?;
-            // Astray, there is no way on along the segment, but there is one to the end of it.
-            let on_the_way = if is_astray {
-                None
-            } else {
-                self.next_side(&way, cell)
-            };
-            let side = match on_the_way {
-                Some((side, next)) => {
-                    at = next.clamp(at, 1.0);
-                    side
+            let side = self.next_side(way, cell);
+            let beyond = self.diagram.beyond(side);
+            let at = self.metric.place(way, cell, beyond);
+            self.cross(ring, cell, side, at);
+            cell = beyond;
+        }
+        Ok(self.keep_left(ring, way, way[1], cell))
+    }
+
+    /// Finds the side through which a segment that ends elsewhere leaves a cell. If it leaves through a
+    /// corner, that is the side at its left.
+    fn next_side(&self, way: [Point; 2], cell: VertexId) -> Side {
+        let at = |site: VertexId| self.sites[site.index()];
+        let mut best: Option<(Side, VertexId)> = None;
+        for side in self.diagram.sides(cell) {
+            let site = self.diagram.beyond(side);
+            if self.metric.towards(way, cell, site) != Ordering::Greater {
+                continue;
+            }
+            let is_first = best.is_none_or(|(_, other)| {
+                match self.metric.compare_meetings(way, cell, site, other) {
+                    Ordering::Less => true,
+                    Ordering::Greater => false,
+                    Ordering::Equal => orient2d(at(cell), at(other), at(site)) == Orientation::Left,
                 }
-                None => {
-                    at = self.meeting(&way, cell, nearest).clamp(at, 1.0);
-                    is_astray = true;
-                    nearest
-                }
-            };
-            self.cross(ring, cell, side, way.place(at));
+            });
+            if is_first {
+                best = Some((side, site));
+            }
+        }
+        best.expect("bug: a way that leads nowhere").0
+    }
+
+    /// Of the cells that touch at a point of a segment, goes to the one at its left.
+    fn keep_left(&mut self, ring: u32, way: [Point; 2], p: Point, mut cell: VertexId) -> VertexId {
+        while let Some(side) = self.side_to_the_left(way, p, cell) {
+            self.cross(ring, cell, side, p);
             cell = self.diagram.beyond(side);
         }
-        Ok(cell)
+        cell
+    }
+
+    /// Finds the side of a cell through `p` beyond which the site lies most to the left, if it lies more so
+    /// than the cell's own.
+    fn side_to_the_left(&self, way: [Point; 2], p: Point, cell: VertexId) -> Option<Side> {
+        let mut best = None;
+        let mut leftmost = cell;
+        for side in self.diagram.sides(cell) {
+            let site = self.diagram.beyond(side);
+            if self.metric.compare(p, site, cell) == Ordering::Equal {
+                let ends = [leftmost, site].map(|v| self.sites[v.index()]);
+                if turning(way, ends) == Orientation::Left {
+                    (best, leftmost) = (Some(side), site);
+                }
+            }
+        }
+        best
     }
 
     /// Turns about a point that is equally far from several sites, from the cell of one to that of
@@ -222,65 +249,6 @@ impl<'a, M: Metric> Tracer<'a, M> {
         }
     }
 
-    /// Finds the side through which a segment leaves a cell, and where on the segment, if there is one.
-    ///
-    /// Only sites that lie farther along count; so nothing is passed twice, however numbers are rounded.
-    fn next_side(&self, way: &Way, cell: VertexId) -> Option<(Side, f64)> {
-        let here = self.along(way, cell);
-        let mut best: Option<(Side, f64)> = None;
-        for side in self.diagram.sides(cell) {
-            if self.along(way, self.diagram.beyond(side)) > here {
-                let at = self.meeting(way, cell, side);
-                if at < best.map_or(f64::INFINITY, |(_, least)| least) {
-                    best = Some((side, at));
-                }
-            }
-        }
-        best
-    }
-
-    /// How far along a segment a site lies.
-    fn along(&self, way: &Way, site: VertexId) -> f64 {
-        let s = self.unit.scaled(self.sites[site.index()]);
-        let [x, y] = way.direction;
-        (s.x - way.from.x) * x + (s.y - way.from.y) * y
-    }
-
-    /// Finds at which part of a segment the sites at both sides of an edge are equally far: infinity if
-    /// nowhere.
-    fn meeting(&self, way: &Way, cell: VertexId, side: Side) -> f64 {
-        let sites = [cell, self.diagram.beyond(side)];
-        let [s, t] = sites.map(|v| self.sites[v.index()]);
-        let (normal, size) = difference(s, t);
-        let [a, b] = [s, t].map(|s| {
-            let s = self.unit.scaled(s);
-            [s.x - way.from.x, s.y - way.from.y]
-        });
-        let [h, k] = sites.map(|v| self.unit.squares(self.metric.handicap(v)));
-        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
-        let mut distance = normal[0] * middle[0] + normal[1] * middle[1];
-        if h != k {
-            distance += 0.5 * (k - h) / self.unit.units(size);
-        }
-        let speed = normal[0] * way.vector[0] + normal[1] * way.vector[1];
-        if speed > 0.0 {
-            distance / speed
-        } else {
-            f64::INFINITY
-        }
-    }
-
-    fn way(&self, [p, q]: [Point; 2]) -> Way {
-        let [from, to] = [p, q].map(|p| self.unit.scaled(p));
-        Way {
-            p,
-            q,
-            from,
-            vector: [to.x - from.x, to.y - from.y],
-            direction: difference(p, q).0,
-        }
-    }
-
     /// Ends the open chain at a crossing, and opens the next.
     fn cross(&mut self, ring: u32, cell: VertexId, side: Side, at: Point) {
         let (from, enter) = self.open;
@@ -298,16 +266,5 @@ impl<'a, M: Metric> Tracer<'a, M> {
             ring,
         });
         self.open = (trace.trail.len(), number);
-    }
-}
-
-impl Way {
-    /// Returns the point at a part of the segment, rounded, never outside its box.
-    fn place(&self, at: f64) -> Point {
-        let between = |a: f64, b: f64| {
-            let c = (1.0 - at) * a + at * b;
-            c.clamp(a.min(b), a.max(b))
-        };
-        Point::new(between(self.p.x, self.q.x), between(self.p.y, self.q.y))
     }
 }

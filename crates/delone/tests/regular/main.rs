@@ -2,6 +2,7 @@
 //! other orders.
 
 mod definition;
+mod diagram;
 mod rational;
 mod results;
 mod sites;
