@@ -80,6 +80,7 @@
 //! - [`Refinement`]: from a domain to a [`RefinedMesh`] of the [`Quality`] asked for, and its [`Report`];
 //!   [`sizing`](mod@sizing): how large triangles may be, place by place; [`Observer`]: algorithms at work, step
 //!   by step.
+//! - [`regular`]: points with weights, their triangulation, and hidden points.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
 //! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
 //!

@@ -32,9 +32,7 @@ fn cut(polygon: &[Corner], side: impl Fn(&Corner) -> RBig) -> Vec<Corner> {
         if at_p >= RBig::ZERO {
             kept.push(p.clone());
         }
-        if (at_p > RBig::ZERO && at_q < RBig::ZERO)
-            || (at_p < RBig::ZERO && at_q > RBig::ZERO)
-        {
+        if (at_p > RBig::ZERO && at_q < RBig::ZERO) || (at_p < RBig::ZERO && at_q > RBig::ZERO) {
             let t = &at_p / (&at_p - &at_q);
             kept.push(std::array::from_fn(|k| &p[k] + &t * (&q[k] - &p[k])));
         }
