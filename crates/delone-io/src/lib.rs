@@ -14,6 +14,7 @@
 //! | `.node`, `.ele` (Triangle) | read | points | read, with `.poly` | both |
 //! | `.edge`, `.neigh` (Triangle) | | | | mesh |
 //! | `.area` (Triangle) | | | [`read_areas`] | |
+//! | `.v.node`, `.v.edge` (Triangle) | | | | [mesh](WriteOptions::voronoi) |
 //! | `.poly` (Triangle) | read | read | beside `.ele` | domain; mesh with its family |
 //! | `.geojson` (RFC 7946) | read | read | | domain, mesh |
 //! | `.wkt` (well-known text) | read | read | | |
@@ -22,6 +23,8 @@
 //! | `.vtu` (VTK, ParaView) | read | points | read | both |
 //! | `.svg`, `.png` | | | | all, report |
 //! | `.html` | | | | report |
+//!
+//! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`.
 //!
 //! Points become a mesh:
 //!
@@ -68,6 +71,7 @@
 
 mod areas;
 mod cancel;
+mod cells;
 mod constraints;
 mod domain;
 mod edge;
@@ -97,12 +101,14 @@ mod topology;
 mod triangle_files;
 mod unfinished;
 mod unmet;
+mod voronoi;
 mod vtu;
 mod wkt;
 pub mod words;
 mod write;
 
 pub use areas::read_areas;
+pub use cells::CellsView;
 pub use constraints::Constraints;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
@@ -115,4 +121,6 @@ pub use source::Source;
 pub use target::Target;
 pub use unfinished::discard_unfinished_files;
 pub use unmet::Explainer;
-pub use write::{PictureOptions, WriteOptions, write_domain, write_mesh, write_points};
+pub use write::{
+    PictureOptions, WriteOptions, write_cells, write_domain, write_mesh, write_points,
+};

@@ -20,7 +20,7 @@ use std::borrow::Cow;
 ///
 /// let window = Domain::rectangle((-1.0, -1.0), (4.0, 2.0))?;
 /// let clipped = voronoi.clip(&window, &())?;
-/// let areas: Vec<f64> = t.hull().map(|v| clipped.measure(v).area).collect();
+/// let areas: Vec<f64> = voronoi.cells().map(|c| clipped.measure(c.site()).area).collect();
 /// assert_eq!(areas, [4.0, 6.0, 3.0, 2.0]);
 /// # Ok::<(), delone::Error>(())
 /// ```
