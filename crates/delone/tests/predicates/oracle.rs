@@ -119,6 +119,12 @@ impl Lifted {
         Self::expanded(points, &sites.map(Self::height), &cofactors)
     }
 
+    pub fn power(p: Point, s: Weighted) -> Relaxed {
+        let [p, q] = [p, s.point].map(Exact::new);
+        let (x, y) = (q.x - p.x, q.y - p.y);
+        &x * &x + &y * &y - Relaxed::try_from(s.weight).expect("finite")
+    }
+
     fn height(s: Weighted) -> Relaxed {
         Exact::new(s.point).lift() - Relaxed::try_from(s.weight).expect("finite")
     }

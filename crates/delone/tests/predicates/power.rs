@@ -7,9 +7,9 @@ use crate::{Tally, cases_per_family, side};
 use delone::Point;
 use delone::predicates::stage::{self, Stage};
 use delone::predicates::{
-    CircleSide, Orientation, Weighted, in_circle, in_circle_perturbed, in_power_circle,
-    in_power_circle_perturbed, in_power_segment, in_power_segment_perturbed, orient2d,
-    power_center,
+    CircleSide, Orientation, Weighted, compare_distances, compare_powers, in_circle,
+    in_circle_perturbed, in_power_circle, in_power_circle_perturbed, in_power_segment,
+    in_power_segment_perturbed, orient2d, power_center,
 };
 use std::cmp::Ordering;
 
@@ -144,6 +144,25 @@ fn in_power_segment_is_exact() {
         ties > 0 && inside.iter().all(|&n| n > 0),
         "{ties} {inside:?}"
     );
+}
+
+#[test]
+fn compare_powers_is_exact() {
+    let mut found = [0; 3];
+    on_cases(&[], |[a, b, twin, p], _| {
+        let exact = Lifted::power(p.point, a).cmp(&Lifted::power(p.point, b));
+        assert_eq!(compare_powers(p.point, a, b), exact, "{p:?} {a:?} {b:?}");
+        assert_eq!(compare_powers(p.point, b, a), exact.reverse());
+        let [a, b] = [a, b].map(|s| Weighted {
+            weight: twin.weight,
+            ..s
+        });
+        let distances = compare_distances(p.point, a.point, b.point);
+        assert_eq!(compare_powers(p.point, a, b), distances);
+        found[(exact as i8 + 1) as usize] += 1;
+        None
+    });
+    assert!(found.iter().all(|&n| n > 100), "{found:?}");
 }
 
 #[test]
