@@ -1,7 +1,7 @@
 //! A picture of Voronoi cells: coloured by their areas, with the sites as dots.
 //!
 //! A cell as large as the mean of all has the middle of the scale; one a quarter, or four times, as large,
-//! a fifth of it, or four. Outlines fade out when cells are only a few pixels wide.
+//! a fifth of it, or four fifths. Outlines fade out when cells are only a few pixels wide.
 
 use super::sheet::{Anchor, Sheet};
 use super::view::{Page, View};
