@@ -509,7 +509,14 @@ fn the_voronoi_diagram_has_the_numbers_of_triangles_and_edges() {
     folder.run("triangle -veQ t", 0);
     assert_eq!(
         folder.names(),
-        ["t.1.edge", "t.1.ele", "t.1.node", "t.1.v.edge", "t.1.v.node", "t.node"]
+        [
+            "t.1.edge",
+            "t.1.ele",
+            "t.1.node",
+            "t.1.v.edge",
+            "t.1.v.node",
+            "t.node"
+        ]
     );
     let [vertices, edges] = ["t.1.v.node", "t.1.v.edge"].map(|name| rows(&folder, name));
     let corners = rows(&folder, "t.1.ele");

@@ -99,7 +99,7 @@ impl<'a> CellScene<'a> {
     pub fn outline(&self) -> Option<(f32, f32)> {
         let strength = (self.spacing() - FADE[0]) / (FADE[1] - FADE[0]);
         let strength = strength.min(1.0);
-        (strength > 0.0).then(|| (self.unit * (0.6 + 1.0 * strength), 0.85 * strength))
+        (strength > 0.0).then_some((self.unit * (0.6 + strength), 0.85 * strength))
     }
 
     /// Returns the sites in pixels and the radius of their dots, if there is room for dots. Sites outside
