@@ -1,7 +1,7 @@
 //! A picture of Voronoi cells: coloured by their areas, with the sites as dots.
 //!
 //! A cell as large as the mean of all has the middle of the scale; one a quarter, or four times, as large,
-//! a fifth of it, or four. Outlines fade out when cells are only a few pixels wide.
+//! a fifth of it, or four fifths. Outlines fade out when cells are only a few pixels wide.
 
 use super::sheet::{Anchor, Sheet};
 use super::view::{Page, View};
@@ -99,7 +99,7 @@ impl<'a> CellScene<'a> {
     pub fn outline(&self) -> Option<(f32, f32)> {
         let strength = (self.spacing() - FADE[0]) / (FADE[1] - FADE[0]);
         let strength = strength.min(1.0);
-        (strength > 0.0).then(|| (self.unit * (0.6 + 1.0 * strength), 0.85 * strength))
+        (strength > 0.0).then_some((self.unit * (0.6 + strength), 0.85 * strength))
     }
 
     /// Returns the sites in pixels and the radius of their dots, if there is room for dots. Sites outside

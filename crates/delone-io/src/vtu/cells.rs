@@ -90,7 +90,6 @@ pub(crate) fn write_cells(
     let coordinates = coordinates.map(f64::to_le_bytes);
     array(out, "Float64", "Points", 3, 3 * n, coordinates)?;
     out.text(format_args!("</Points>\n<Cells>\n"))?;
-    let wide = |numbers: &[u64]| numbers.to_vec().into_iter().map(u64::to_le_bytes);
     let k = grid.nodes.len();
     array(out, "Int64", "connectivity", 1, k, wide(&grid.nodes))?;
     array(out, "Int64", "offsets", 1, m, wide(&grid.ends))?;
@@ -112,4 +111,8 @@ pub(crate) fn write_cells(
     out.text(format_args!(
         "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
     ))
+}
+
+fn wide(numbers: &[u64]) -> impl Iterator<Item = [u8; 8]> {
+    numbers.iter().map(|number| number.to_le_bytes())
 }

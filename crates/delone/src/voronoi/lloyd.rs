@@ -38,7 +38,7 @@ pub struct Relaxed {
 }
 
 impl<'w> Lloyd<'w> {
-    /// Takes so many steps, unwatched.
+    /// Takes so many steps, fewer if nothing moves any more; unwatched.
     pub fn new(steps: usize) -> Self {
         Self {
             steps,

@@ -18,12 +18,12 @@
 //! together from where it crosses the edges. Which parts there are is decided by the order of crossings
 //! alone, in which each edge is the same for both its cells; so areas of clipped cells add up to that of
 //! the domain, up to rounding, however degenerate the two lie to each other. A polygon need not be
-//! convex, and cells may come in several parts with holes. Where a boundary runs along an edge, the part
-//! of no area at the other side is left out if that is so in rounded numbers, too.
+//! convex, and cells may come in several parts with holes. A part whose area rounds to nothing is left out.
 //!
-//! *Cost*: O(n) for the diagram, a quarter of the time of the triangulation and more; clipping O(n + k
-//! log k + b) for k crossings, where b counts, for each segment of the boundary, the sides of the cells that it
-//! passes. A cell of very many sides in which very many segments lie is therefore slow.
+//! *Cost*: O(n) for the diagram, about 0.7 µs a site; clipping O(n + k log k + b) for k crossings, where b
+//! counts, for each segment of the boundary, the sides of the cells that it passes: about 1 µs a site and 1 µs
+//! a crossing. A cell of very many sides in which very many segments lie is therefore slow, and so is one with
+//! very many parts and holes. All on one thread.
 //!
 //! Sites may have weights: the [power diagram](Voronoi::weighted) is cut and clipped alike.
 //!

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// The parts of cells, each an outline and its holes.
 #[derive(Clone, Debug)]
-pub(super) struct Shapes {
+pub(crate) struct Shapes {
     points: Vec<Point>,
     /// Where each ring begins, and the end of the last; likewise the rings of each part, and the parts
     /// of each cell.

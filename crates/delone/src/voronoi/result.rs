@@ -75,7 +75,7 @@ impl Voronoi {
     /// # Errors
     /// [`Error::Cancelled`] if the watch says so.
     ///
-    /// *Cost*: linear; about 0.5 µs a site.
+    /// *Cost*: linear; about 0.7 µs a site.
     pub fn new(triangulation: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
         let faces = triangulation.mesh().num_faces() as u64;
         let mut pace = Pace::new(watch, Phase::Voronoi, 3 * faces);
