@@ -45,6 +45,21 @@ impl Double {
     }
 }
 
+impl Double {
+    /// Returns the square root of a positive number. Relative error at most 16u².
+    ///
+    /// With s the rounded root of the high part, the remainder r = self − s² is at most 4u of the
+    /// number; it is computed with three roundings, each of that size, r/(2s) adds two more, and of the
+    /// series of the root (s² + r) − s = r/(2s) − … the rest is below 2u² of s.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        let square = Self::product(root, root);
+        let rest = ((self.high - square.high) - square.low) + self.low;
+        Self::ordered_sum(root, rest / (2.0 * root))
+    }
+}
+
 /// Splits into a sum of two numbers of at most 26 bits each.
 #[inline(always)]
 fn halves(a: f64) -> [f64; 2] {
@@ -62,6 +77,19 @@ impl Add<f64> for Double {
     fn add(self, b: f64) -> Self {
         let sum = Self::sum(self.high, b);
         Self::ordered_sum(sum.high, self.low + sum.low)
+    }
+}
+
+/// Relative error at most 3u² + 13u³ for numbers of one sign.
+impl Add for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        let high = Self::sum(self.high, b.high);
+        let low = Self::sum(self.low, b.low);
+        let first = Self::ordered_sum(high.high, high.low + low.high);
+        Self::ordered_sum(first.high, low.low + first.low)
     }
 }
 

@@ -5,7 +5,7 @@
 //! the full exponent range, coordinates of 2,100 bits.
 
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::rounded;
+use super::quotient::{Root, root_of_quotient, rounded};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -28,10 +28,32 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     dot(&u, &u).cmp(&dot(&v, &v))
 }
 
+/// Compares the squared lengths of two segments.
+pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    let [u, v] = along([s, t]).0;
+    dot(&u, &u).cmp(&dot(&v, &v))
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Ordering {
     let [u, v] = vectors([a, b], p);
     sign(&dot(&u, &v))
+}
+
+/// Finds the length of a segment.
+pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
+    let ([u], unit) = along([ends]);
+    Some(root_of_quotient(&dot(&u, &u), &BigInt::from(1), unit))
+}
+
+/// Finds the radius of the circle through three points; `None` if they are collinear.
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
+    let (sides, unit) = along([[a, b], [b, c], [c, a]]);
+    let twice: BigInt = cross(&sides[0], &sides[1]) * 2;
+    let squares = sides.map(|side| dot(&side, &side));
+    let product = squares.into_iter().product();
+    let is_circle = twice.sign() != Sign::NoSign;
+    is_circle.then(|| root_of_quotient(&product, &(&twice * &twice), unit))
 }
 
 fn sign(value: &BigInt) -> Ordering {
@@ -56,11 +78,32 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Point::new(x, y)
 }
 
+/// Finds the centre of the circle through three points that are not collinear, correctly rounded.
+pub(super) fn circumcenter([a, b, c]: [Point; 3]) -> Point {
+    let unit = common_unit(&[a, b, c]);
+    let [a, b, c] = [a, b, c].map(|p| scaled(p, unit));
+    let (u, v) = (minus(&b, &a), minus(&c, &a));
+    let (ul, vl) = (dot(&u, &u), dot(&v, &v));
+    let denominator: BigInt = cross(&u, &v) * 2;
+    let [x, y] = [&v[1] * &ul - &u[1] * &vl, &u[0] * &vl - &v[0] * &ul];
+    let [x, y] = [(x, &a[0]), (y, &a[1])]
+        .map(|(offset, from)| rounded(&(from * &denominator + offset), &denominator, unit));
+    Point::new(x, y)
+}
+
 /// Finds the vectors from `origin` to `points`, up to a common factor.
 fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
     let unit = common_unit(&points).min(common_unit(&[origin]));
     let origin = scaled(origin, unit);
     points.map(|p| minus(&scaled(p, unit), &origin))
+}
+
+/// Finds the vectors from the first to the second end of `segments` in units of a power of two, and its
+/// exponent.
+fn along<const K: usize>(segments: [[Point; 2]; K]) -> ([[BigInt; 2]; K], i32) {
+    let unit = common_unit(segments.as_flattened());
+    let vectors = segments.map(|[from, to]| minus(&scaled(to, unit), &scaled(from, unit)));
+    (vectors, unit)
 }
 
 /// Finds the exponent of a power of two that divides all coordinates.
