@@ -99,6 +99,8 @@ fn label(phase: Phase) -> &'static str {
         Phase::Refine => "refining",
         Phase::Smooth => "smoothing",
         Phase::Export => "renumbering",
+        Phase::Proximity => "relating",
+        Phase::Tour => "touring",
         Phase::Check => "checking",
         Phase::Draw => "drawing",
         Phase::Write => "writing",

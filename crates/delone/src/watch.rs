@@ -23,6 +23,10 @@ pub enum Phase {
     Smooth,
     /// Renumbering into the caller's order.
     Export,
+    /// Reading graphs off a triangulation; units are edges.
+    Proximity,
+    /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
+    Tour,
     /// Verifying a triangulation.
     Check,
     /// Drawing a picture.
