@@ -55,7 +55,7 @@ fn segments_and_holes_are_forgotten() {
         let t = constrained.triangulation();
         let free = triangulated(t.points());
         let [given, free] = [t, &free].map(|t| Proximity::new(t, &()).unwrap());
-rebuilt += usize::from(!std::ptr::eq(given.triangulation(), t));
+        rebuilt += usize::from(!std::ptr::eq(given.triangulation(), t));
         assert_eq!(given.triangulation().hash(), free.triangulation().hash());
         let tree = given.spanning_tree().unwrap();
         assert_eq!(tree.edges(), free.spanning_tree().unwrap().edges());
