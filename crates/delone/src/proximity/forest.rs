@@ -58,6 +58,7 @@ mod tests {
         assert!(!forest.join(0, 2));
         assert_eq!(forest.find(0), forest.find(3));
         assert_ne!(forest.find(4), forest.find(5));
-        assert_eq!(!forest.links[forest.find(2)], 4);
+        let root = forest.find(2);
+        assert_eq!(!forest.links[root], 4);
     }
 }

@@ -98,7 +98,7 @@ impl<'t> Proximity<'t> {
     }
 
     /// Lists the corners of the convex hull counter-clockwise: its vertices without those inside its
-    /// edges. If all points lie on one line, the two ends.
+    /// edges, that of lowest index first. If all points lie on one line, the two ends.
     pub fn hull_corners(&self) -> Vec<VertexId> {
         let hull: Vec<VertexId> = self.triangulation.hull().collect();
         let n = hull.len();
@@ -106,7 +106,10 @@ impl<'t> Proximity<'t> {
             let [a, b, c] = [(i + n - 1) % n, i, (i + 1) % n].map(|i| hull[i]);
             a == c || self.turn([a, b, c]) != Orientation::Collinear
         };
-        (0..n).filter(is_corner).map(|i| hull[i]).collect()
+        let mut corners: Vec<VertexId> = (0..n).filter(is_corner).map(|i| hull[i]).collect();
+        let lowest = (0..corners.len()).min_by_key(|&i| corners[i]);
+        corners.rotate_left(lowest.unwrap_or(0));
+        corners
     }
 
     fn turn(&self, corners: [VertexId; 3]) -> Orientation {
@@ -195,7 +198,7 @@ mod tests {
         let constrained = |segments: &[[u32; 2]]| {
             let mut pslg = Pslg::from_points(points);
             for &[a, b] in segments {
-                pslg.add_segment(a as usize, b as usize);
+                pslg.add_segment(a, b);
             }
             let t = ConstrainedDelaunay::new().triangulate(pslg).unwrap();
             t.into_triangulation()
@@ -217,8 +220,7 @@ mod tests {
         let corners = Proximity::new(&t, &()).unwrap().hull_corners();
         assert_eq!(corners, [0, 2, 3, 4].map(VertexId::from));
         let t = crate::triangulate(points[..3].iter().copied()).unwrap();
-        let mut corners = Proximity::new(&t, &()).unwrap().hull_corners();
-        corners.sort();
+        let corners = Proximity::new(&t, &()).unwrap().hull_corners();
         assert_eq!(corners, [0, 2].map(VertexId::from));
     }
 }

@@ -25,11 +25,11 @@ use crate::{Error, Phase, Watch};
 const MOST_TOLL: i64 = 1 << 59;
 
 /// Subgradient steps. Of the gap between tree and bound on evenly spread points they close nine tenths.
-const STEPS: usize = 40;
+const STEPS: usize = 30;
 
 /// The first step, in parts of the distance to the nearest neighbours, and by what it shrinks.
 const FIRST_STEP: f64 = 0.4;
-const SHRINKAGE: f64 = 0.93;
+const SHRINKAGE: f64 = 0.91;
 
 /// How much of a step the last imbalance has, and the one before it (Helsgaun, *An effective
 /// implementation of the Lin–Kernighan traveling salesman heuristic*, 2000).

@@ -22,6 +22,12 @@ impl Cycle {
         Self { order, places }
     }
 
+    /// Returns what stands at place `i`.
+    #[inline]
+    pub fn at(&self, i: usize) -> u32 {
+        self.order[i]
+    }
+
     /// Returns the neighbour of `a`, forwards or backwards.
     #[inline]
     pub fn next(&self, a: u32, forward: bool) -> u32 {

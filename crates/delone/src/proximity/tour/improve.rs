@@ -10,11 +10,10 @@
 //! ```
 
 use super::cycle::Cycle;
+use super::limits::{Limits, Random};
 use super::sites::{Kind, Sites};
-use crate::pace::Pace;
-use crate::{Error, Phase, Watch};
+use crate::Error;
 use std::collections::VecDeque;
-use std::time::Instant;
 
 /// No move reverses more sites than this; tours up to twice as long can be reversed at will. For longer
 /// ones such moves gain little and cost the most (Johnson and McGeoch, *The traveling salesman problem: a
@@ -24,8 +23,11 @@ const LONGEST_FLIP: usize = 50_000;
 /// The longest part of a tour that or-opt moves.
 const LONGEST_PART: usize = 3;
 
-/// Sites that are looked at between two looks at the clock.
-const STRIDE: u64 = 1 << 8;
+/// The same for what follows a kick, which is to remain a local matter.
+const LONGEST_FLIP_AFTER_KICK: usize = 1000;
+
+/// The longest part of a tour that a kick exchanges for the next one.
+const LONGEST_KICK: usize = 50;
 
 /// A move as flips to be done one after the other.
 #[derive(Clone, Copy, Default)]
@@ -41,6 +43,9 @@ pub(super) struct Improvement<'s> {
     /// Sites whose surroundings have changed since they were looked at.
     waiting: VecDeque<u32>,
     is_waiting: Vec<bool>,
+    /// Flips since the last kick began.
+    done: Vec<[u32; 4]>,
+    longest_flip: usize,
     pub moves: u64,
     /// Whether no tour is shorter.
     pub is_best: bool,
@@ -54,50 +59,91 @@ impl<'s> Improvement<'s> {
             cycle: Cycle::new(n),
             waiting: (0..n as u32).collect(),
             is_waiting: vec![true; n],
+            done: Vec::new(),
+            longest_flip: LONGEST_FLIP,
             moves: 0,
             is_best: false,
         }
     }
 
-    /// Moves until no site wants to any more, and says whether it came to that.
-    pub fn run(
-        &mut self,
-        watch: &dyn Watch,
-        budget: Option<u64>,
-        deadline: Option<Instant>,
-    ) -> Result<bool, Error> {
+    /// Moves until no site wants to any more, then tries so many kicks; says whether it came to that.
+    pub fn run(&mut self, budget: &mut Limits, kicks: u64) -> Result<bool, Error> {
         // With fewer sites parts of the tour would overlap their surroundings.
         if self.sites.len() < 8 {
             self.run_tiny();
             return Ok(true);
         }
-        let mut pace = Pace::new(watch, Phase::Tour, 4 * self.sites.len() as u64);
-        let mut looks = 0_u64;
-        while let Some(v) = self.waiting.pop_front() {
-            pace.step()?;
-            looks += 1;
-            let is_late = |deadline| looks.is_multiple_of(STRIDE) && Instant::now() >= deadline;
-            if budget.is_some_and(|most| self.moves >= most) || deadline.is_some_and(is_late) {
-                return Ok(false);
+        self.settle(budget)?;
+        self.longest_flip = LONGEST_FLIP_AFTER_KICK;
+        let mut random = Random(0);
+        for _ in 0..kicks {
+            if budget.is_spent {
+                break;
             }
-            self.is_waiting[v as usize] = false;
-            let best = self.best_move(v);
-            if best.gain > 0 {
-                self.apply(best);
+            self.done.clear();
+            let gain = self.settle_kick(&mut random, budget)?;
+            if gain < 0 {
+                self.undo();
             }
         }
-        pace.finish();
-        Ok(true)
+        Ok(!budget.is_spent)
     }
 
-    fn apply(&mut self, best: Move) {
-        self.moves += 1;
-        for flip in best.flips.into_iter().flatten() {
-            self.cycle.flip(flip);
-            for v in flip {
-                if !std::mem::replace(&mut self.is_waiting[v as usize], true) {
-                    self.waiting.push_back(v);
-                }
+    /// Moves until no site wants to any more or the budget is spent, and returns what was gained.
+    fn settle(&mut self, budget: &mut Limits) -> Result<i128, Error> {
+        let mut gain = 0;
+        while let Some(v) = self.waiting.pop_front() {
+            self.is_waiting[v as usize] = false;
+            if !budget.allows(self.moves)? {
+                // What waits will not be looked at any more.
+                continue;
+            }
+            let best = self.best_move(v);
+            if best.gain > 0 {
+                gain += i128::from(best.gain);
+                self.moves += 1;
+                best.flips.into_iter().flatten().for_each(|f| self.flip(f));
+            }
+        }
+        Ok(gain)
+    }
+
+    /// Exchanges two neighbouring parts of the tour somewhere, and settles what that has stirred up. It
+    /// takes four edges at once, which no sequence of gainful moves finds (Martin, Otto and Felten,
+    /// *Large-step Markov chains for the traveling salesman problem*, 1991).
+    ///
+    /// ```text
+    ///     p → b ┄┄ c → d ┄┄ e → n        p → d ┄┄ e → b ┄┄ c → n
+    /// ```
+    fn settle_kick(&mut self, random: &mut Random, budget: &mut Limits) -> Result<i128, Error> {
+        let n = self.sites.len();
+        let longest = LONGEST_KICK.min((n - 2) / 2);
+        let [first, second] = [0; 2].map(|_| 1 + random.below(longest));
+        let at = |i: usize, this: &Self| this.cycle.at(i % n);
+        let p = random.below(n);
+        let places = [0, 1, first, first + 1, first + second, first + second + 1];
+        let [p, b, c, d, e, n] = places.map(|i| at(p + i, self));
+        let lost = self.distance(p, d) + self.distance(e, b) + self.distance(c, n);
+        let freed = self.distance(p, b) + self.distance(c, d) + self.distance(e, n);
+        for flip in [[p, b, e, n], [p, e, d, c], [e, c, b, n]] {
+            self.flip(flip);
+        }
+        Ok(i128::from(freed) - i128::from(lost) + self.settle(budget)?)
+    }
+
+    /// Undoes all that was done since the last kick began.
+    fn undo(&mut self) {
+        while let Some([a, b, c, d]) = self.done.pop() {
+            self.cycle.flip([a, c, b, d]);
+        }
+    }
+
+    fn flip(&mut self, flip: [u32; 4]) {
+        self.cycle.flip(flip);
+        self.done.push(flip);
+        for v in flip {
+            if !std::mem::replace(&mut self.is_waiting[v as usize], true) {
+                self.waiting.push_back(v);
             }
         }
     }
@@ -123,7 +169,7 @@ impl<'s> Improvement<'s> {
             }
             let d = self.cycle.next(c, forward);
             let gain = gain + self.distance(c, d) - self.distance(b, d);
-            if gain > best.gain && self.cycle.cost(b, c) <= LONGEST_FLIP {
+            if gain > best.gain && self.cycle.cost(b, c) <= self.longest_flip {
                 *best = Move {
                     gain,
                     flips: [Some([v, b, c, d]), None, None],
@@ -164,7 +210,7 @@ impl<'s> Improvement<'s> {
         forward: bool,
         best: &mut Move,
     ) {
-        if self.cycle.cost(v, c) > LONGEST_FLIP {
+        if self.cycle.cost(v, c) > self.longest_flip {
             return;
         }
         // The part comes to its place reversed; if it is `n` that it follows, after one flip.

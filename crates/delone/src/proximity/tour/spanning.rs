@@ -330,3 +330,67 @@ fn distance_to(node: &Node, place: [f64; 2]) -> i64 {
     });
     ((x * x + y * y).sqrt() * (1.0 - 1e-12) - SLACK) as i64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::sites::Kind;
+    use super::*;
+    use crate::proximity::Proximity;
+    use crate::{Phase, Point, VertexId};
+
+    /// The length of the shortest tree of all pairs, after Prim.
+    fn naive(sites: &Sites, tolls: &[i64]) -> i128 {
+        let n = tolls.len() as u32;
+        let mut nearest = vec![i64::MAX; n as usize];
+        let mut is_left = vec![true; n as usize];
+        let (mut last, mut length) = (0, 0);
+        for _ in 1..n {
+            is_left[last as usize] = false;
+            for site in (0..n).filter(|&site| is_left[site as usize]) {
+                let [here, there] = [last, site].map(|v| tolls[v as usize]);
+                let new = sites.distance(last, site) + here + there;
+                let old = &mut nearest[site as usize];
+                *old = new.min(*old);
+            }
+            let left = (0..n).filter(|&site| is_left[site as usize]);
+            last = left.min_by_key(|&v| nearest[v as usize]).expect("a site");
+            length += i128::from(nearest[last as usize]);
+        }
+        length
+    }
+
+    /// Tolls that lead the tree far out of the triangulation.
+    #[test]
+    fn no_pair_is_overlooked() {
+        for (n, side) in [(2, 3), (9, 4), (40, 6), (300, 1000), (700, 40)] {
+            let mut seed = n as u64;
+            let mut random = move |below: u64| {
+                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (seed >> 33) % below
+            };
+            let point = |_| Point::new(random(side) as f64, random(side) as f64);
+            let t = crate::triangulate((0..n).map(point)).expect("finite");
+            let proximity = Proximity::new(&t, &()).expect("not cancelled");
+            let sorted = proximity.sorted_edges().expect("not cancelled");
+            let vertices = (0..n).map(VertexId::new);
+            let vertices = vertices.filter(|&v| t.representative(v) == v).collect();
+            let sites = Sites::new(&proximity, vertices, &sorted, Kind::Closed);
+            let mut pace = Pace::new(&(), Phase::Tour, 1);
+            let mut candidates = Candidates::new(&sites);
+            for size in [0, 1 << 50, 1 << 54, 1 << 58] {
+                let mut toll = |_| (random(1 << 31) as i64 - (1 << 30)) * (size >> 30);
+                let tolls: Vec<i64> = (0..sites.num_places()).map(&mut toll).collect();
+                let among_edges = candidates.shortest(&tolls, &mut pace).unwrap();
+                let pairs = Pairs::new(&sites, &tolls);
+                let found = candidates.shortest_of_all(pairs, &tolls, &mut pace);
+                let expected = naive(&sites, &tolls);
+                assert_eq!(found, Ok(Some(expected)), "{n} {size}");
+                assert!(expected <= among_edges && (size > 0 || expected == among_edges));
+                assert!(
+                    n < 40 || size < 1 << 58 || expected < among_edges,
+                    "no test"
+                );
+            }
+        }
+    }
+}
