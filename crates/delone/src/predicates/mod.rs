@@ -188,7 +188,8 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
 ///
 /// ```
 /// use delone::{Point, predicates::compare_lengths};
-/// let [a, b, c] = [(0.0, 0.0), (3e-300, 4e-300), (5e-300, 0.0)].map(Point::from);
+/// let tiny = 2_f64.powi(-1000);
+/// let [a, b, c] = [(0.0, 0.0), (3.0 * tiny, 4.0 * tiny), (5.0 * tiny, 0.0)].map(Point::from);
 /// assert!(compare_lengths([a, b], [c, a]).is_eq());
 /// ```
 #[inline]
@@ -266,7 +267,8 @@ pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<Point> {
 ///
 /// ```
 /// use delone::predicates::length_up;
-/// assert_eq!(length_up([(0.0, 0.0), (3e-300, 4e-300)].map(Into::into)), 5e-300);
+/// let tiny = 2_f64.powi(-1000);
+/// assert_eq!(length_up([(0.0, 0.0), (3.0 * tiny, 4.0 * tiny)].map(Into::into)), 5.0 * tiny);
 /// let diagonal = length_up([(0.0, 0.0), (1.0, 1.0)].map(Into::into));
 /// assert!(diagonal == 2_f64.sqrt(), "which happens to be rounded up itself");
 /// ```

@@ -43,9 +43,9 @@ impl Proximity<'_> {
     ///
     /// ```
     /// use delone::proximity::Proximity;
-    /// let t = delone::triangulate([(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0), (1.0, 1.0)])?;
+    /// let t = delone::triangulate([(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0)])?;
     /// let circle = Proximity::new(&t, &())?.largest_empty_circle()?.unwrap();
-    /// assert_eq!((circle.center.x, circle.radius.floor()), (5.0, 4.0));
+    /// assert_eq!((circle.center, circle.radius), ((4.0, 3.0).into(), 5.0));
     /// # Ok::<(), delone::Error>(())
     /// ```
     pub fn largest_empty_circle(&self) -> Result<Option<EmptyCircle>, Error> {
