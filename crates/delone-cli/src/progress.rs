@@ -101,6 +101,8 @@ fn label(phase: Phase) -> &'static str {
         Phase::Export => "renumbering",
         Phase::Voronoi => "cells",
         Phase::Relax => "relaxing",
+        Phase::Proximity => "relating",
+        Phase::Tour => "touring",
         Phase::Check => "checking",
         Phase::Draw => "drawing",
         Phase::Write => "writing",

@@ -155,6 +155,20 @@ pub enum Error {
         /// The weight given.
         weight: f64,
     },
+    /// A distance or radius is negative or NaN.
+    #[error("{given} was given as a distance: it must not be negative")]
+    BadRadius {
+        /// The number given.
+        given: f64,
+    },
+    /// A vertex was named that the triangulation does not have.
+    #[error("vertex {vertex} does not exist: there are {points} points")]
+    NoSuchVertex {
+        /// The vertex named.
+        vertex: VertexId,
+        /// Number of points.
+        points: usize,
+    },
     /// A triangle names a point that does not exist.
     #[error("triangle {triangle} names point {vertex}, but there are {points} points")]
     BadTriangle {

@@ -27,6 +27,10 @@ pub enum Phase {
     Voronoi,
     /// Relaxing points towards the centers of their cells; units are steps.
     Relax,
+    /// Reading graphs off a triangulation; units are edges.
+    Proximity,
+    /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
+    Tour,
     /// Verifying a triangulation.
     Check,
     /// Drawing a picture.

@@ -43,6 +43,19 @@ impl Double {
         let low = a0 * b0 - (((high - a1 * b1) - a0 * b1) - a1 * b0);
         Self { high, low }
     }
+
+    /// Returns the square root of a positive number. Relative error at most 16u².
+    ///
+    /// With s the rounded root of the high part, the remainder r = self − s² is at most 4u of the
+    /// number; it is computed with three roundings, each of that size, r/(2s) adds two more, and of the
+    /// series of the root (s² + r) − s = r/(2s) − … the rest is below 2u² of s.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        let square = Self::product(root, root);
+        let rest = ((self.high - square.high) - square.low) + self.low;
+        Self::ordered_sum(root, rest / (2.0 * root))
+    }
 }
 
 /// Splits into a sum of two numbers of at most 26 bits each.

@@ -7,7 +7,7 @@
 use super::Weighted;
 use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::{rounded, saturated};
+use super::quotient::{Root, root_of_quotient, rounded, saturated};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -27,6 +27,12 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Ordering {
 /// Compares the squared lengths of `a − p` and `b − p`.
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     let [u, v] = vectors([a, b], p);
+    dot(&u, &u).cmp(&dot(&v, &v))
+}
+
+/// Compares the squared lengths of two segments.
+pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    let [u, v] = along([s, t]).0;
     dot(&u, &u).cmp(&dot(&v, &v))
 }
 
@@ -115,6 +121,22 @@ impl<const K: usize> Lifted<K> {
     }
 }
 
+/// Finds the length of a segment.
+pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
+    let ([u], unit) = along([ends]);
+    Some(root_of_quotient(&dot(&u, &u), &BigInt::from(1), unit))
+}
+
+/// Finds the radius of the circle through three points; `None` if they are collinear.
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
+    let (sides, unit) = along([[a, b], [b, c], [c, a]]);
+    let twice: BigInt = cross(&sides[0], &sides[1]) * 2;
+    let squares = sides.map(|side| dot(&side, &side));
+    let product = squares.into_iter().product();
+    let is_circle = twice.sign() != Sign::NoSign;
+    is_circle.then(|| root_of_quotient(&product, &(&twice * &twice), unit))
+}
+
 fn sign(value: &BigInt) -> Ordering {
     match value.sign() {
         Sign::Minus => Ordering::Less,
@@ -137,22 +159,16 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Point::new(x, y)
 }
 
-/// Finds the sign of the dot product of `b − a` and `q − p`.
-pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
-    let [along, other] = two_vectors([p, q], [a, b]);
-    sign(&dot(&along, &other))
+/// Finds the sign of the dot product of the vectors along two segments.
+pub(super) fn towards(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    let [way, other] = along([way, ends]).0;
+    sign(&dot(&way, &other))
 }
 
-/// Finds the sign of the cross product of `q − p` and `b − a`.
-pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Ordering {
-    let [along, other] = two_vectors([p, q], [a, b]);
-    sign(&cross(&along, &other))
-}
-
-fn two_vectors([p, q]: [Point; 2], [a, b]: [Point; 2]) -> [[BigInt; 2]; 2] {
-    let unit = common_unit(&[p, q, a, b]);
-    let vector = |a: Point, b: Point| minus(&scaled(b, unit), &scaled(a, unit));
-    [vector(p, q), vector(a, b)]
+/// Finds the sign of the cross product of the vectors along two segments.
+pub(super) fn turning(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    let [way, other] = along([way, ends]).0;
+    sign(&cross(&way, &other))
 }
 
 /// Compares the powers of `p` with respect to two sites.
@@ -197,6 +213,14 @@ fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K
     let unit = common_unit(&points).min(common_unit(&[origin]));
     let origin = scaled(origin, unit);
     points.map(|p| minus(&scaled(p, unit), &origin))
+}
+
+/// Finds the vectors from the first to the second end of `segments` in units of a power of two, and its
+/// exponent.
+fn along<const K: usize>(segments: [[Point; 2]; K]) -> ([[BigInt; 2]; K], i32) {
+    let unit = common_unit(segments.as_flattened());
+    let vectors = segments.map(|[from, to]| minus(&scaled(to, unit), &scaled(from, unit)));
+    (vectors, unit)
 }
 
 /// Finds the exponent of a power of two that divides all coordinates.

@@ -134,11 +134,22 @@ pub(super) fn in_power_circle(
 /// Compares the squared lengths of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
-    let square = |q: Point| {
-        let [x, y] = [q.x - p.x, q.y - p.y];
-        x * x + y * y
-    };
-    let [al, bl] = [square(a), square(b)];
+    compare_squares(squared_length([p, a]), squared_length([p, b]))
+}
+
+/// Returns the squared length of a segment, rounded.
+#[inline(always)]
+pub(crate) fn squared_length([a, b]: [Point; 2]) -> f64 {
+    let [x, y] = [b.x - a.x, b.y - a.y];
+    x * x + y * y
+}
+
+/// Compares two lengths by their [rounded squares](squared_length).
+///
+/// Whoever is certainly shorter than a segment is so, too, than one whose rounded square is larger:
+/// every operation here is monotone.
+#[inline(always)]
+pub(crate) fn compare_squares(al: f64, bl: f64) -> Option<Ordering> {
     certain(al - bl, DISTANCE_BOUND * (al + bl) + FLOOR)
 }
 

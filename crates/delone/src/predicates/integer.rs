@@ -18,6 +18,7 @@
 use super::Weighted;
 use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
+use super::quotient::Root;
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -111,11 +112,57 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering
     Some(dot(&u, &u).cmp(&dot(&v, &v)))
 }
 
+/// Compares the squared lengths of two segments.
+#[inline(always)]
+pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Option<Ordering> {
+    let [u, v] = Vectors::along([s, t])?.wide();
+    Some(dot(&u, &u).cmp(&dot(&v, &v)))
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
     let [u, v] = Vectors::new([a, b], p)?.wide();
     Some(dot(&u, &v).cmp(&0))
+}
+
+/// Finds the length of a segment.
+#[inline(always)]
+pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
+    let vectors = Vectors::along([ends])?;
+    let [u] = vectors.wide();
+    let square = dot(&u, &u).cast_unsigned();
+    let shift = (square.leading_zeros() & !1).min(126);
+    Root::of(
+        square << shift,
+        true,
+        2 * vectors.unit - shift.cast_signed(),
+    )
+}
+
+/// Finds the radius of the circle through three points that are not collinear, if they lie on a coarse
+/// lattice: the product of the squared sides must fit 128 bits, and its quotient by the squared area
+/// must leave enough of them.
+#[inline(always)]
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
+    let vectors = Vectors::along([[a, b], [b, c], [c, a]])?;
+    let zeros = vectors.coordinates.as_flattened().iter();
+    let zeros = zeros.fold(0, |all, c| all | c).trailing_zeros();
+    let sides = vectors.wide().map(|side| side.map(|c| c >> zeros));
+    let twice = (2 * cross(&sides[0], &sides[1])).unsigned_abs();
+    let squares = sides.map(|side| dot(&side, &side).cast_unsigned());
+    let product = squares[0]
+        .checked_mul(squares[1])?
+        .checked_mul(squares[2])?;
+    if product == 0 {
+        return None;
+    }
+    let shift = product.leading_zeros() & !1;
+    let (numerator, divisor) = (product << shift, twice.checked_mul(twice)?);
+    let quotient = numerator.checked_div(divisor)?;
+    let is_exact = quotient * divisor == numerator;
+    let unit = vectors.unit + zeros.cast_signed();
+    Root::of(quotient, is_exact, 2 * unit - shift.cast_signed())
 }
 
 /// Vectors on a common lattice, magnitudes at most 2⁶¹.
@@ -131,13 +178,20 @@ impl<const K: usize> Vectors<K> {
     /// Finds the vectors from `origin` to `points`, up to a common factor, if they fit.
     #[inline(always)]
     fn new(points: [Point; K], origin: Point) -> Option<Self> {
-        let heads = points.map(|p| [p.x - origin.x, p.y - origin.y]);
+        Self::along(points.map(|p| [origin, p]))
+    }
+
+    /// Finds the vectors from the first to the second end of `segments`, up to a common factor, if they
+    /// fit.
+    #[inline(always)]
+    fn along(segments: [[Point; 2]; K]) -> Option<Self> {
+        let heads = segments.map(|[from, to]| [to.x - from.x, to.y - from.y]);
         let coarse = Lattice::for_largest(largest_magnitude(&heads))?;
         let parts: [[Parts; 2]; K] = std::array::from_fn(|i| {
-            let (p, [x, y]) = (points[i], heads[i]);
+            let ([from, to], [x, y]) = (segments[i], heads[i]);
             [
-                Parts::new(coarse, x, tail(p.x, origin.x, x)),
-                Parts::new(coarse, y, tail(p.y, origin.y, y)),
+                Parts::new(coarse, x, tail(to.x, from.x, x)),
+                Parts::new(coarse, y, tail(to.y, from.y, y)),
             ]
         });
         // Bitwise `&` instead of `all`: one branch, not one for each coordinate.

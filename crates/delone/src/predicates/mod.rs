@@ -5,7 +5,8 @@
 //! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
 //! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). Points with weights have
 //! predicates of their own (`power.rs`). Constructions live here too, because they are as exact as
-//! rounded numbers can be: [`crossing_point`], [`circumcenter`] and [`power_center`].
+//! rounded numbers can be: [`crossing_point`], [`circumcenter`] and [`power_center`], and lengths and
+//! circumradii rounded up ([`length_up`], [`circumradius_up`]).
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
@@ -32,9 +33,10 @@ mod perturbation;
 mod polynomial;
 mod power;
 mod quotient;
+mod radius;
 pub mod stage;
 
-pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
+pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND, compare_squares, squared_length};
 pub use power::{
     Weighted, compare_powers, in_power_circle, in_power_circle_perturbed, in_power_segment,
     in_power_segment_perturbed, power_center,
@@ -188,6 +190,26 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     }
 }
 
+/// Compares the lengths of two segments.
+///
+/// Laws, for all finite points: a total preorder of the segments, reversed when the two are exchanged;
+/// symmetric in the ends of each; segments of no length come first. Where they share an end this is
+/// [`compare_distances`].
+///
+/// ```
+/// use delone::{Point, predicates::compare_lengths};
+/// let tiny = 2_f64.powi(-1000);
+/// let [a, b, c] = [(0.0, 0.0), (3.0 * tiny, 4.0 * tiny), (5.0 * tiny, 0.0)].map(Point::from);
+/// assert!(compare_lengths([a, b], [c, a]).is_eq());
+/// ```
+#[inline]
+pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    match filter::compare_squares(filter::squared_length(s), filter::squared_length(t)) {
+        Some(order) => order,
+        None => compare_lengths_exact(s, t),
+    }
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`.
 ///
 /// Laws, for all finite points: symmetric in `a` and `b`; the ends themselves are `On`; if `a`
@@ -262,6 +284,48 @@ pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<Point> {
 /// ```
 pub fn circumcenter(a: Point, b: Point, c: Point) -> Option<Point> {
     center::circumcenter([a, b, c])
+}
+
+/// Returns the length of a segment, rounded up: the smallest `f64` that is not less, infinite beyond the
+/// largest.
+///
+/// Laws, for all finite points: for every `f64` r, the length is at most r if and only if
+/// `length_up(s) <= r`; symmetric in the ends; zero only if they are equal; whoever is
+/// [not longer](compare_lengths) has no larger one; multiplying all coordinates by a power of two
+/// multiplies the result as long as nothing leaves the range of normal numbers.
+///
+/// ```
+/// use delone::predicates::length_up;
+/// let tiny = 2_f64.powi(-1000);
+/// assert_eq!(length_up([(0.0, 0.0), (3.0 * tiny, 4.0 * tiny)].map(Into::into)), 5.0 * tiny);
+/// let diagonal = length_up([(0.0, 0.0), (1.0, 1.0)].map(Into::into));
+/// assert!(diagonal == 2_f64.sqrt(), "which happens to be rounded up itself");
+/// ```
+pub fn length_up(s: [Point; 2]) -> f64 {
+    radius::length(s).0
+}
+
+/// Returns half the length of a segment, rounded up, which may be finite where the length is not.
+pub(crate) fn half_length_up(s: [Point; 2]) -> f64 {
+    radius::half_length(s).0
+}
+
+/// Returns the radius of the circle through three points, rounded up: the smallest `f64` that is not
+/// less, infinite beyond the largest, and if the points are collinear.
+///
+/// Laws, for all finite points: for every finite `f64` r, the radius is at most r if and only if
+/// `circumradius_up(a, b, c) <= r`; symmetric in the points; not less than half of each
+/// [length](length_up) between them; multiplying all coordinates by a power of two multiplies the result
+/// as long as nothing leaves the range of normal numbers.
+///
+/// ```
+/// use delone::predicates::circumradius_up;
+/// let [a, b, c] = [(0.0, 0.0), (6.0, 0.0), (6.0, 8.0)].map(Into::into);
+/// assert_eq!(circumradius_up(a, b, c), 5.0);
+/// assert_eq!(circumradius_up(a, b, b), f64::INFINITY);
+/// ```
+pub fn circumradius_up(a: Point, b: Point, c: Point) -> f64 {
+    radius::circumradius([a, b, c]).0
 }
 
 /// [`crossing_point`] for callers who know that the segments cross properly.
@@ -340,6 +404,13 @@ fn in_circle_exact(a: Point, b: Point, c: Point, d: Point) -> CircleSide {
 #[inline(never)]
 fn compare_distances_exact(p: Point, a: Point, b: Point) -> Ordering {
     integer::compare_distances(p, a, b).unwrap_or_else(|| exact::compare_distances(p, a, b))
+}
+
+/// [`compare_lengths`] for callers whose own filter has failed.
+#[cold]
+#[inline(never)]
+pub(crate) fn compare_lengths_exact(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    integer::compare_lengths(s, t).unwrap_or_else(|| exact::compare_lengths(s, t))
 }
 
 #[cold]

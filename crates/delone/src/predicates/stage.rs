@@ -3,7 +3,9 @@
 //! Answers are those of the functions of the same name [one level up](super).
 
 use super::power::segment_sign;
-use super::{CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation};
+use super::{
+    CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation, radius,
+};
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -60,6 +62,15 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> (Ordering, Stage) {
     )
 }
 
+/// Compares the lengths of two segments, and tells which stage found the order.
+pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> (Ordering, Stage) {
+    first(
+        filter::compare_squares(filter::squared_length(s), filter::squared_length(t)),
+        || integer::compare_lengths(s, t),
+        || exact::compare_lengths(s, t),
+    )
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`, and which stage found it.
 pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) {
     let (sign, stage) = first(
@@ -97,6 +108,16 @@ pub fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> (CircleSide, S
 /// there are no fixed-width integers for this.
 pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<(Point, Stage)> {
     super::cross_properly(s, t).then(|| crossing::crossing(s, t))
+}
+
+/// Returns the length of a segment, rounded up, and which stage found it.
+pub fn length_up(s: [Point; 2]) -> (f64, Stage) {
+    radius::length(s)
+}
+
+/// Returns the radius of the circle through three points, rounded up, and which stage found it.
+pub fn circumradius_up(a: Point, b: Point, c: Point) -> (f64, Stage) {
+    radius::circumradius([a, b, c])
 }
 
 /// Takes the answer of the first stage that has one.

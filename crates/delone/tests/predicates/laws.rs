@@ -4,7 +4,7 @@ use crate::families::FAMILIES;
 use crate::random::Random;
 use delone::Point;
 use delone::predicates::{
-    CircleSide, Orientation, compare_distances, in_circle, in_circle_perturbed,
+    CircleSide, Orientation, compare_distances, compare_lengths, in_circle, in_circle_perturbed,
     in_diametral_circle, orient2d,
 };
 use std::cmp::Ordering;
@@ -119,6 +119,18 @@ fn distance_laws() {
         if order(a, b).is_le() && order(b, c).is_le() {
             assert!(order(a, c).is_le());
         }
+    });
+}
+
+#[test]
+fn length_laws() {
+    on_all_families(|[a, b, c, d]| {
+        let found = compare_lengths([a, b], [c, d]);
+        assert_eq!(compare_lengths([c, d], [a, b]), found.reverse());
+        assert_eq!(compare_lengths([b, a], [c, d]), found);
+        assert_eq!(compare_lengths([a, b], [d, c]), found);
+        assert_eq!(compare_lengths([a, b], [c, c]).is_eq(), a == b);
+        assert_eq!(compare_lengths([a, b], [a, c]), compare_distances(a, b, c));
     });
 }
 

@@ -76,6 +76,32 @@ pub fn compare_distances([p, a, b]: [Point; 3]) -> Ordering {
     square(&a).cmp(&square(&b))
 }
 
+pub fn compare_lengths(segments: [[Point; 2]; 2]) -> Ordering {
+    let [s, t] = segments.map(|ends| squared_length(&ends.map(Exact::new)));
+    s.cmp(&t)
+}
+
+fn squared_length([a, b]: &[Exact; 2]) -> Relaxed {
+    let (x, y) = (&a.x - &b.x, &a.y - &b.y);
+    &x * &x + &y * &y
+}
+
+pub fn squared_length_of(ends: [Point; 2]) -> Relaxed {
+    squared_length(&ends.map(Exact::new))
+}
+
+/// |ab|²|bc|²|ca|² / (2·orient)²; `None` if the points are collinear.
+pub fn squared_circumradius([a, b, c]: [Point; 3]) -> Option<Relaxed> {
+    let [p, q, r] = [a, b, c].map(Exact::new);
+    let area = orient(&p, &q, &r);
+    if area == Relaxed::ZERO {
+        return None;
+    }
+    let [u, v, w] = [[a, b], [b, c], [c, a]].map(squared_length_of);
+    let square = &area * &area;
+    Some(u * v * w / (&square + &square + &square + &square))
+}
+
 /// The sign of |p − m|² − r² for the circle with diameter `ab`: negative inside.
 pub fn in_diametral_circle([a, b, p]: [Point; 3]) -> Ordering {
     let [a, b, p] = [a, b, p].map(Exact::new);
