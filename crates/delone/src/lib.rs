@@ -99,6 +99,7 @@ mod memory;
 pub mod mesh;
 pub mod nearest;
 mod observe;
+mod order;
 mod pace;
 mod parallel;
 mod point;
