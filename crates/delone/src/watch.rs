@@ -25,6 +25,8 @@ pub enum Phase {
     Export,
     /// Verifying a triangulation.
     Check,
+    /// Answering queries: where points lie, what is nearest to them.
+    Query,
     /// Drawing a picture.
     Draw,
     /// Writing files.
