@@ -147,6 +147,12 @@ pub enum Error {
         /// The size given.
         given: f64,
     },
+    /// The radius of a query is not a number that is finite and not negative.
+    #[error("the radius {given} was asked for: it must be finite and not negative")]
+    BadRadius {
+        /// The radius given.
+        given: f64,
+    },
     /// A triangle names a point that does not exist.
     #[error("triangle {triangle} names point {vertex}, but there are {points} points")]
     BadTriangle {

@@ -81,7 +81,8 @@
 //!   [`sizing`](mod@sizing): how large triangles may be, place by place; [`Observer`]: algorithms at work, step
 //!   by step.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
-//! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
+//! - [`locate`]: the triangle of a point. [`nearest`]: the nearest vertices, the k nearest, those within a
+//!   radius. [`predicates`]: the exact signs.
 //!
 //! # Features
 //!

@@ -120,7 +120,6 @@ const ROOMS: &[(&str, &[&str])] = &[
             "watch",
             "parallel",
             "pace",
-            "order",
         ],
     ),
     (

@@ -27,22 +27,29 @@ pub(crate) struct Spread {
 }
 
 impl Spread {
-    /// Spreads queries over the box between these corners.
-    pub fn within(bounds: [[f64; 2]; 2]) -> Self {
+    /// Spreads queries over the box around `points`, of which there is at least one.
+    pub fn around<'p>(points: impl IntoIterator<Item = &'p Point>) -> Self {
+        let none = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let bounds = points.into_iter().fold(none, |[min, max], p| {
+            [
+                [min[0].min(p.x), min[1].min(p.y)],
+                [max[0].max(p.x), max[1].max(p.y)],
+            ]
+        });
         Self { bounds }
     }
 
     /// Answers the query at each of `points`, which are finite, and returns the answers in their order.
     ///
-    /// `answer` gets what it left behind the time before, at first what `begin` returns, the number of the
-    /// query, and the point. What it answers must not depend on what was left behind.
+    /// `answer` gets what it left behind the time before, at first what `begin` returns, and the point. What
+    /// it answers must not depend on what was left behind.
     pub fn answer<S, A: Send>(
         &self,
         points: &[Point],
         threads: Option<usize>,
         watch: &dyn Watch,
         begin: impl Fn() -> S + Sync,
-        answer: impl Fn(&mut S, usize, Point) -> A + Sync,
+        answer: impl Fn(&mut S, Point) -> A + Sync,
     ) -> Result<Vec<A>, Error> {
         let answers = with_workers(threads, |workers| {
             let keys = self.sorted(points, workers, watch)?;
@@ -58,7 +65,7 @@ impl Spread {
                 // All at once: they lie far from each other in memory.
                 let asked: Vec<Point> = indices().map(|i| points[i]).collect();
                 for (i, p) in indices().zip(asked) {
-                    let answer = answer(&mut state, i, p);
+                    let answer = answer(&mut state, p);
                     // SAFETY: the keys hold each index of `points` once, and there is room for as many.
                     unsafe { places.put(i, answer) };
                 }

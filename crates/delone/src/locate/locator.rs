@@ -134,7 +134,7 @@ impl<'t> Locator<'t> {
         let Shape::Plane(plane) = &self.shape else {
             return Ok(points.iter().map(|&p| self.without_triangles(p)).collect());
         };
-        let answer = |last: &mut Trail, _, p| {
+        let answer = |last: &mut Trail, p| {
             let start = match last.end {
                 Some(h) if self.is_close(h, p) => h,
                 _ => self.start(plane, p),
@@ -201,7 +201,7 @@ impl Plane {
         let corner = |face: usize| points[mesh.corners(TriangleId::new(face))[0].index()];
         Self {
             tree: Tree::sample(t.num_finite(), corner),
-            spread: Spread::within(rim.bounds(mesh, points)),
+            spread: Spread::around(rim.vertices(mesh, points)),
             rim,
         }
     }

@@ -25,6 +25,8 @@ mod rim;
 mod tree;
 mod walk;
 
+pub(crate) use batch::{Spread, check_finite};
 pub use location::Location;
 pub use locator::Locator;
+pub(crate) use tree::Tree;
 pub use walk::locate;

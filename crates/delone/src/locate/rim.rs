@@ -22,16 +22,15 @@ impl Rim {
         Self { edges }
     }
 
-    /// Returns the bounding box: its smallest and its largest corner.
-    pub fn bounds(&self, mesh: &Mesh, points: &[Point]) -> [[f64; 2]; 2] {
-        let vertices = self.edges.iter().map(|&h| points[mesh.dest(h).index()]);
-        let none = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        vertices.fold(none, |[min, max], p| {
-            [
-                [min[0].min(p.x), min[1].min(p.y)],
-                [max[0].max(p.x), max[1].max(p.y)],
-            ]
-        })
+    /// Visits the vertices of the hull.
+    pub fn vertices<'p>(
+        &self,
+        mesh: &Mesh,
+        points: &'p [Point],
+    ) -> impl Iterator<Item = &'p Point> {
+        self.edges
+            .iter()
+            .map(move |&h| &points[mesh.dest(h).index()])
     }
 
     /// Returns the half-edge that sees `p`, which lies outside: the one where the segment from `p` to the

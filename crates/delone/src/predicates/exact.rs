@@ -28,6 +28,15 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     dot(&u, &u).cmp(&dot(&v, &v))
 }
 
+/// Compares the squared length of `p − center` with the square of `radius`.
+pub(super) fn in_disc(center: Point, radius: f64, p: Point) -> Ordering {
+    let radius = Point::new(radius, 0.0);
+    let unit = common_unit(&[p, center, radius]);
+    let [p, center, radius] = [p, center, radius].map(|q| scaled(q, unit));
+    let arm = minus(&p, &center);
+    dot(&arm, &arm).cmp(&dot(&radius, &radius))
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Ordering {
     let [u, v] = vectors([a, b], p);

@@ -86,11 +86,19 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Orderi
 /// Compares the squared lengths of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
-    let square = |q: Point| {
-        let [x, y] = [q.x - p.x, q.y - p.y];
-        x * x + y * y
-    };
-    let [al, bl] = [square(a), square(b)];
+    compare_squares(squared_distance(p, a), squared_distance(p, b))
+}
+
+/// Returns the squared length of `a − p`: differences, squares and their sum are rounded.
+#[inline(always)]
+pub(super) fn squared_distance(p: Point, a: Point) -> f64 {
+    let [x, y] = [a.x - p.x, a.y - p.y];
+    x * x + y * y
+}
+
+/// Compares squared lengths that have been rounded as [`squared_distance`] does, or less.
+#[inline(always)]
+pub(super) fn compare_squares(al: f64, bl: f64) -> Option<Ordering> {
     certain(al - bl, DISTANCE_BOUND * (al + bl) + FLOOR)
 }
 

@@ -45,6 +45,14 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering
     Some(dot(&u, &u).cmp(&dot(&v, &v)))
 }
 
+/// Compares the squared length of `p − center` with the square of `radius`.
+#[inline(always)]
+pub(super) fn in_disc(center: Point, radius: f64, p: Point) -> Option<Ordering> {
+    let (head, tail) = difference(p, center);
+    let [u, v] = Vectors::of([head, [radius, 0.0]], [tail, [0.0; 2]])?.wide();
+    Some(dot(&u, &u).cmp(&dot(&v, &v)))
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
@@ -63,15 +71,17 @@ impl<const K: usize> Vectors<K> {
     /// Finds the vectors from `origin` to `points`, up to a common factor, if they fit.
     #[inline(always)]
     fn new(points: [Point; K], origin: Point) -> Option<Self> {
-        let heads = points.map(|p| [p.x - origin.x, p.y - origin.y]);
+        let differences = points.map(|p| difference(p, origin));
+        Self::of(differences.map(|(h, _)| h), differences.map(|(_, t)| t))
+    }
+
+    /// Finds the vectors that are sums of a rounded one and of what it lacks, up to a common factor, if
+    /// they fit.
+    #[inline(always)]
+    fn of(heads: [[f64; 2]; K], tails: [[f64; 2]; K]) -> Option<Self> {
         let coarse = Lattice::for_largest(largest_magnitude(&heads))?;
-        let parts: [[Parts; 2]; K] = std::array::from_fn(|i| {
-            let (p, [x, y]) = (points[i], heads[i]);
-            [
-                Parts::new(coarse, x, tail(p.x, origin.x, x)),
-                Parts::new(coarse, y, tail(p.y, origin.y, y)),
-            ]
-        });
+        let parts: [[Parts; 2]; K] =
+            std::array::from_fn(|i| [0, 1].map(|k| Parts::new(coarse, heads[i][k], tails[i][k])));
         // Bitwise `&` instead of `all`: one branch, not one for each coordinate.
         let narrow = parts
             .as_flattened()
@@ -198,6 +208,13 @@ fn largest_magnitude(vectors: &[[f64; 2]]) -> f64 {
         [larger(mx, x.abs()), larger(my, y.abs())]
     });
     larger(x, y)
+}
+
+/// Returns `p − origin`, rounded, and what that lacks.
+#[inline(always)]
+fn difference(p: Point, origin: Point) -> ([f64; 2], [f64; 2]) {
+    let [x, y] = [p.x - origin.x, p.y - origin.y];
+    ([x, y], [tail(p.x, origin.x, x), tail(p.y, origin.y, y)])
 }
 
 /// Returns what `head`, the rounded `a − b`, lacks: `a − b − head`, exactly.

@@ -178,6 +178,43 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     }
 }
 
+/// [`compare_distances`] for callers who keep the [squared distances](squared_distance).
+#[inline]
+pub(crate) fn compare_squared(p: Point, [a, b]: [Point; 2], [al, bl]: [f64; 2]) -> Ordering {
+    match filter::compare_squares(al, bl) {
+        Some(order) => order,
+        None => compare_distances_exact(p, a, b),
+    }
+}
+
+/// Returns the square of the distance from `p` to `a`, rounded.
+#[inline]
+pub(crate) fn squared_distance(p: Point, a: Point) -> f64 {
+    filter::squared_distance(p, a)
+}
+
+/// Tells where `p` lies relative to the circle of `radius` about `center`; of a negative radius the
+/// absolute value counts. The radius must be finite, too.
+///
+/// Laws, for all finite points: symmetric in `center` and `p`; agrees with [`compare_distances`] where the
+/// distance to some point is `radius` exactly; if `p` equals `center`, it is `Inside`, or `On` if the radius
+/// is zero.
+///
+/// ```
+/// use delone::{Point, predicates::{CircleSide, in_disc}};
+/// let [c, p] = [Point::new(1e16, 0.0), Point::new(1e16 + 3e300, 4e300)];
+/// assert_eq!(in_disc(Point::new(0.0, 0.0), 5.0, Point::new(3.0, 4.0)), CircleSide::On);
+/// assert_eq!(in_disc(c, 5e300, p), in_disc(p, 5e300, c));
+/// ```
+#[inline]
+pub fn in_disc(center: Point, radius: f64, p: Point) -> CircleSide {
+    let square = filter::squared_distance(center, p);
+    match filter::compare_squares(square, radius * radius) {
+        Some(order) => CircleSide::from_sign(order.reverse()),
+        None => in_disc_exact(center, radius, p),
+    }
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`.
 ///
 /// Laws, for all finite points: symmetric in `a` and `b`; the ends themselves are `On`; if `a`
@@ -285,6 +322,14 @@ fn in_circle_exact(a: Point, b: Point, c: Point, d: Point) -> CircleSide {
 #[inline(never)]
 fn compare_distances_exact(p: Point, a: Point, b: Point) -> Ordering {
     integer::compare_distances(p, a, b).unwrap_or_else(|| exact::compare_distances(p, a, b))
+}
+
+#[cold]
+#[inline(never)]
+fn in_disc_exact(center: Point, radius: f64, p: Point) -> CircleSide {
+    let order = integer::in_disc(center, radius, p);
+    let order = order.unwrap_or_else(|| exact::in_disc(center, radius, p));
+    CircleSide::from_sign(order.reverse())
 }
 
 #[cold]

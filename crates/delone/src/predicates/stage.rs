@@ -59,6 +59,16 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> (Ordering, Stage) {
     )
 }
 
+/// Tells where `p` lies relative to the circle about `center`, and which stage found it.
+pub fn in_disc(center: Point, radius: f64, p: Point) -> (CircleSide, Stage) {
+    let (order, stage) = first(
+        filter::compare_squares(filter::squared_distance(center, p), radius * radius),
+        || integer::in_disc(center, radius, p),
+        || exact::in_disc(center, radius, p),
+    );
+    (CircleSide::from_sign(order.reverse()), stage)
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`, and which stage found it.
 pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) {
     let (sign, stage) = first(

@@ -75,6 +75,13 @@ pub fn compare_distances([p, a, b]: [Point; 3]) -> Ordering {
     square(&a).cmp(&square(&b))
 }
 
+/// Compares the distance from `center` to `p` with `radius`.
+pub fn in_disc(center: Point, radius: f64, p: Point) -> Ordering {
+    let [center, p, arm] = [center, p, Point::new(radius, 0.0)].map(Exact::new);
+    let (x, y) = (&p.x - &center.x, &p.y - &center.y);
+    (&x * &x + &y * &y).cmp(&(&arm.x * &arm.x))
+}
+
 /// The sign of |p − m|² − r² for the circle with diameter `ab`: negative inside.
 pub fn in_diametral_circle([a, b, p]: [Point; 3]) -> Ordering {
     let [a, b, p] = [a, b, p].map(Exact::new);
