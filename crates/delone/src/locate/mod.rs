@@ -8,7 +8,7 @@
 //!
 //! *Exact*: every sign is, for every finite point; the jump rounds, and decides nothing. *Ends*: always, in
 //! any triangulation of a convex hull, since a visibility walk that takes too long goes on as a straight one.
-//! *Cost*: building takes about a thirtieth of triangulating and one and a half bytes a vertex (and four for each
+//! *Cost*: building takes about a tenth of triangulating and one and a half bytes a vertex (and four for each
 //! vertex of the convex hull). A query is a descent of O(log n) comparisons, and a walk, in a Delaunay
 //! triangulation in practice of a few triangles: a cell of the tree holds some 8 vertices, however they are
 //! spread. No distribution is known to break that, but nothing is proven but O(n), which long thin

@@ -67,7 +67,7 @@ impl Walk<'_> {
         match orient2d(a, b, self.goal) {
             Orientation::Left => self.visibly(start, a, b),
             Orientation::Right => self.visibly(self.mesh.twin(start), b, a),
-            Orientation::Collinear => self.from_line_of(start),
+            Orientation::Collinear => self.beginning_on_line(start),
         }
     }
 
@@ -116,7 +116,7 @@ impl Walk<'_> {
 
     /// As [`through_triangles`](Self::through_triangles), for a goal on the line of `start`.
     #[cold]
-    fn from_line_of(&self, start: HalfEdgeId) -> Arrival {
+    fn beginning_on_line(&self, start: HalfEdgeId) -> Arrival {
         let others = [start.next(), start.prev()];
         for h in others {
             let [a, b] = self.ends(h);

@@ -1,7 +1,8 @@
 //! The edges of a Delaunay triangulation, each vertex with its neighbours at hand.
 
+use crate::pace::Pace;
 use crate::predicates::{CircleSide, in_circle};
-use crate::{HalfEdgeId, Point, Triangulation, VertexId};
+use crate::{Error, HalfEdgeId, Phase, Point, Triangulation, VertexId, Watch};
 
 /// Vertices in the order in which triangles name them first, which keeps neighbours together, since builders
 /// number triangles along a space-filling curve.
@@ -16,37 +17,36 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// Collects the edges; `None` if it is not the graph of a Delaunay triangulation of all points.
+    /// Collects the edges.
     ///
-    /// *Cost*: linear, one in-circle test for each edge.
-    pub fn of(t: &Triangulation) -> Option<Self> {
-        let (names, first) = vertices(t);
-        (names.len() == t.num_vertices() && is_delaunay(t)).then(|| Self::new(t, names, &first))
-    }
-
-    /// Collects the neighbours of the vertices `names`, given a half-edge from each.
-    fn new(t: &Triangulation, names: Vec<VertexId>, first: &[HalfEdgeId]) -> Self {
+    /// *Cost*: linear.
+    pub fn new(t: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
         let mesh = t.mesh();
+        let (names, first) = vertices(t);
+        debug_assert_eq!(names.len(), t.num_vertices(), "a vertex is in no face");
         let mut place = vec![0; t.points().len()];
         for (v, name) in (0..).zip(&names) {
             place[name.index()] = v;
         }
+        let mut pace = Pace::new(watch, Phase::Export, names.len() as u64);
         let mut starts = Vec::with_capacity(names.len() + 1);
-        let mut neighbors = Vec::with_capacity(2 * t.num_edges().max(mesh.num_faces()));
+        let mut neighbors = Vec::with_capacity(3 * mesh.num_faces());
         starts.push(0);
-        for &h in first {
+        for &h in &first {
+            pace.step()?;
             let ends = mesh.star(h).map(|g| mesh.dest(g));
             neighbors.extend(ends.filter(|w| !w.is_infinite()).map(|w| place[w.index()]));
             starts.push(neighbors.len() as u32);
         }
+        pace.finish();
         // A single vertex has no half-edge.
         starts.resize(names.len() + 1, 0);
-        Self {
+        Ok(Self {
             points: names.iter().map(|&v| t.point(v)).collect(),
             names,
             starts,
             neighbors,
-        }
+        })
     }
 
     /// Returns the neighbours of a vertex; none only if there is no other.
@@ -76,21 +76,34 @@ fn vertices(t: &Triangulation) -> (Vec<VertexId>, Vec<HalfEdgeId>) {
     (names, first)
 }
 
-/// Tells whether no vertex lies inside the circle of a triangle beside its own. Carved faces count.
-fn is_delaunay(t: &Triangulation) -> bool {
+/// Tells whether no vertex lies inside the circle of a triangle beside its own, so that none lies inside any
+/// (Delaunay's lemma). Carved faces count.
+///
+/// *Cost*: one in-circle test for each edge, until one fails.
+pub(super) fn is_delaunay(t: &Triangulation, watch: &dyn Watch) -> Result<bool, Error> {
     let mesh = t.mesh();
-    let is_locally = |h: HalfEdgeId| {
-        let twin = mesh.twin(h);
-        let [c, d] = [mesh.apex(h), mesh.apex(twin)];
-        if twin < h
-            || [c, d, mesh.origin(h), mesh.dest(h)]
-                .iter()
-                .any(|v| v.is_infinite())
-        {
-            return true;
+    let mut pace = Pace::new(watch, Phase::Check, 3 * mesh.num_faces() as u64);
+    for h in mesh.half_edges() {
+        pace.step()?;
+        if h < mesh.twin(h) && !is_locally_delaunay(t, h) {
+            return Ok(false);
         }
-        let [a, b, c, d] = [mesh.origin(h), mesh.dest(h), c, d].map(|v| t.point(v));
-        in_circle(a, b, c, d) != CircleSide::Inside
-    };
-    mesh.half_edges().all(is_locally)
+    }
+    pace.finish();
+    Ok(true)
+}
+
+fn is_locally_delaunay(t: &Triangulation, h: HalfEdgeId) -> bool {
+    let mesh = t.mesh();
+    let vertices = [
+        mesh.origin(h),
+        mesh.dest(h),
+        mesh.apex(h),
+        mesh.apex(mesh.twin(h)),
+    ];
+    if vertices.iter().any(|v| v.is_infinite()) {
+        return true;
+    }
+    let [a, b, c, d] = vertices.map(|v| t.point(v));
+    in_circle(a, b, c, d) != CircleSide::Inside
 }

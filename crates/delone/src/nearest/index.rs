@@ -1,6 +1,6 @@
 //! Nearest neighbours of any points, one by one or many at once.
 
-use super::graph::Graph;
+use super::graph::{Graph, is_delaunay};
 use super::search::Scratch;
 use crate::locate::{Spread, Tree, check_finite};
 use crate::pace::Pace;
@@ -43,9 +43,10 @@ impl Nearest {
     ///
     /// *Cost*: linear, about half of triangulating, and a triangulation more if one is to be built.
     pub fn new(triangulation: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
-        match Graph::of(triangulation) {
-            Some(graph) => Ok(Self::on(graph, triangulation.points().len())),
-            None => Self::of_points(triangulation.points().iter().copied(), watch),
+        if is_delaunay(triangulation, watch)? {
+            Self::on(triangulation, watch)
+        } else {
+            Self::of_points(triangulation.points().iter().copied(), watch)
         }
     }
 
@@ -58,22 +59,23 @@ impl Nearest {
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let t = Delaunay::new().watch(watch).triangulate(points)?;
-        let graph = Graph::of(&t).expect("bug: a builder's result is not Delaunay");
-        Ok(Self::on(graph, t.points().len()))
+        Self::on(&t, watch)
     }
 
-    fn on(graph: Graph, num_points: usize) -> Self {
+    /// Prepares for queries about the vertices of a Delaunay triangulation.
+    fn on(t: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
+        let graph = Graph::new(t, watch)?;
         let n = graph.points.len();
         let entrance = (n > 0).then(|| {
             let tree = Tree::sample(n, |v| graph.points[v]);
             (tree, Spread::around(&graph.points))
         });
-        Self {
+        Ok(Self {
             graph,
             entrance,
-            num_points,
+            num_points: t.points().len(),
             threads: None,
-        }
+        })
     }
 
     /// Uses `threads` threads for many queries at once (0 means 1, and at most 1024; all of the machine if
