@@ -268,4 +268,10 @@ fn a_watch_is_told_and_may_cancel() {
     let hasty = watcher(10_000);
     assert_eq!(locator.locate_all(&asked, &hasty), Err(Error::Cancelled));
     assert!(hasty.told.into_inner() < 50_000);
+    let row = delone::triangulate([(0.0, 0.0), (1.0, 1.0)]).unwrap();
+    let hasty = watcher(10_000);
+    assert_eq!(
+        Locator::new(&row).locate_all(&asked, &hasty),
+        Err(Error::Cancelled)
+    );
 }

@@ -5,7 +5,8 @@ use super::batch::{Spread, check_finite};
 use super::rim::{Rim, Row};
 use super::tree::Tree;
 use super::walk::{Walk, inner};
-use crate::{Error, HalfEdgeId, Mesh, Point, TriangleId, Triangulation, VertexId, Watch};
+use crate::pace::Pace;
+use crate::{Error, HalfEdgeId, Mesh, Phase, Point, TriangleId, Triangulation, VertexId, Watch};
 use std::ops::Range;
 
 /// Says where points lie in a triangulation, bare, constrained, carved or refined.
@@ -120,7 +121,7 @@ impl<'t> Locator<'t> {
     }
 
     /// Finds where each of `points` lies; the answers come in their order, and are those of
-    /// [`locate`](Self::locate). `watch` is told of [`Phase::Query`](crate::Phase::Query).
+    /// [`locate`](Self::locate). `watch` is told of [`Phase::Query`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] names the first point with a coordinate that is NaN or infinite;
@@ -132,7 +133,7 @@ impl<'t> Locator<'t> {
     pub fn locate_all(&self, points: &[Point], watch: &dyn Watch) -> Result<Vec<Location>, Error> {
         check_finite(points)?;
         let Shape::Plane(plane) = &self.shape else {
-            return Ok(points.iter().map(|&p| self.without_triangles(p)).collect());
+            return self.all_without_triangles(points, watch);
         };
         let answer = |last: &mut Trail, p| {
             let start = match last.end {
@@ -188,6 +189,21 @@ impl<'t> Locator<'t> {
         }
     }
 
+    fn all_without_triangles(
+        &self,
+        points: &[Point],
+        watch: &dyn Watch,
+    ) -> Result<Vec<Location>, Error> {
+        let mut pace = Pace::new(watch, Phase::Query, points.len() as u64);
+        let answers = points.iter().map(|&p| {
+            pace.step()?;
+            Ok(self.without_triangles(p))
+        });
+        let answers = answers.collect::<Result<_, _>>()?;
+        pace.finish();
+        Ok(answers)
+    }
+
     fn mesh(&self) -> &'t Mesh {
         self.triangulation.mesh()
     }
@@ -211,20 +227,20 @@ impl Plane {
 #[derive(Default)]
 struct Trail {
     end: Option<HalfEdgeId>,
-    ahead: Ahead,
+    ahead: ReadAhead,
 }
 
 /// Reads the corners of triangles before they are needed: vertices lie in memory as the caller gave them,
 /// so each is a long way to go, but many ways can be gone at once. Builders number triangles along a
 /// space-filling curve, so queries sorted along one mostly come to those of higher numbers next.
 #[derive(Default)]
-struct Ahead {
+struct ReadAhead {
     known: Range<usize>,
     queries: usize,
     read: usize,
 }
 
-impl Ahead {
+impl ReadAhead {
     /// Triangles that are read at once.
     const WINDOW: usize = 128;
     /// Triangles that may be read for each query: with fewer queries, or in another order, it is in vain.
