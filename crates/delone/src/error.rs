@@ -155,10 +155,10 @@ pub enum Error {
         /// The weight given.
         weight: f64,
     },
-    /// A distance or radius is negative or NaN.
-    #[error("{given} was given as a distance: it must not be negative")]
+    /// A radius or distance is negative or NaN, or infinite in a query for what lies within it.
+    #[error("a radius of {given} cannot be used: it must not be negative, nor infinite in a query")]
     BadRadius {
-        /// The number given.
+        /// The radius given.
         given: f64,
     },
     /// A vertex was named that the triangulation does not have.

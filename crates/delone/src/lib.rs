@@ -82,7 +82,8 @@
 //!   by step.
 //! - [`regular`]: points with weights, their triangulation, and hidden points.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
-//! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
+//! - [`locate`]: the triangle of a point. [`nearest`]: the nearest vertices, the k nearest, those within a
+//!   radius. [`predicates`]: the exact signs.
 //!
 //! # Features
 //!
@@ -100,6 +101,7 @@ mod memory;
 pub mod mesh;
 pub mod nearest;
 mod observe;
+mod order;
 mod pace;
 mod parallel;
 mod point;

@@ -127,6 +127,11 @@ impl Triangulation {
         self.num_triangles < self.num_finite
     }
 
+    /// Counts the finite faces, carved ones included; behind them come the ghosts.
+    pub(crate) fn num_finite(&self) -> usize {
+        self.num_finite
+    }
+
     /// Tells whether the face of `h` is one of the triangles.
     fn is_inside(&self, h: HalfEdgeId) -> bool {
         h.triangle().index() < self.num_triangles

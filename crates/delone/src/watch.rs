@@ -33,6 +33,8 @@ pub enum Phase {
     Tour,
     /// Verifying a triangulation.
     Check,
+    /// Answering queries: where points lie, what is nearest to them.
+    Query,
     /// Drawing a picture.
     Draw,
     /// Writing files.

@@ -23,7 +23,22 @@ const ROOMS: &[(&str, &[&str])] = &[
     // Topology knows no geometry: no points, no predicates.
     ("mesh", &[]),
     ("triangulation", &["point", "mesh", "hash"]),
-    ("locate", &["point", "mesh", "predicates", "triangulation"]),
+    // Keys along a space-filling curve, and their sorting: for points of an input, and for queries.
+    ("order", &["point", "watch", "memory", "parallel"]),
+    (
+        "locate",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "triangulation",
+            "order",
+            "error",
+            "watch",
+            "parallel",
+            "pace",
+        ],
+    ),
     (
         "delaunay",
         &[
@@ -36,6 +51,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "watch",
             "memory",
             "parallel",
+            "order",
         ],
     ),
     (
@@ -64,6 +80,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "memory",
             "parallel",
             "pace",
+            "order",
         ],
     ),
     ("quality", &["error"]),

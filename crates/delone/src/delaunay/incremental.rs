@@ -150,6 +150,9 @@ impl Incremental {
             }
             Location::Edge(h) => self.suspects.extend(self.mesh.split_edge(h, vertex)),
             Location::Beyond(h) => self.suspects.extend(self.mesh.open_edge(h, vertex)),
+            Location::Carved(_) | Location::Apart => {
+                unreachable!("bug: a mesh with vertices and without a domain")
+            }
         }
         None
     }

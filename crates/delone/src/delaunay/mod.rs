@@ -14,13 +14,12 @@
 mod bulk;
 mod divide;
 mod export;
-mod frame;
+mod gather;
 mod group;
 mod incremental;
 mod input;
 mod knit;
 mod leaf;
-mod order;
 mod pair;
 mod sheet;
 mod signs;
@@ -28,7 +27,6 @@ mod signs;
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
-pub(crate) use order::sort_by_high_half;
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 

@@ -137,7 +137,7 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering
     compare_squares(squared_length([p, a]), squared_length([p, b]))
 }
 
-/// Returns the squared length of a segment, rounded.
+/// Returns the squared length of a segment: differences, squares and their sum are rounded.
 #[inline(always)]
 pub(crate) fn squared_length([a, b]: [Point; 2]) -> f64 {
     let [x, y] = [b.x - a.x, b.y - a.y];
@@ -156,11 +156,7 @@ pub(crate) fn compare_squares(al: f64, bl: f64) -> Option<Ordering> {
 /// Compares the powers of `p` with respect to two sites.
 #[inline(always)]
 pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Option<Ordering> {
-    let square = |q: Point| {
-        let [x, y] = [q.x - p.x, q.y - p.y];
-        x * x + y * y
-    };
-    let [al, bl] = [square(a.point), square(b.point)];
+    let [al, bl] = [a, b].map(|site| squared_length([p, site.point]));
     let rise = b.weight - a.weight;
     let bound = COMPARE_POWERS_BOUND * (al + bl + rise.abs()) + FLOOR;
     certain(al - bl + rise, bound)

@@ -210,6 +210,31 @@ pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
     }
 }
 
+/// [`compare_distances`] for callers who keep the [rounded squares](squared_length).
+#[inline]
+pub(crate) fn compare_squared(p: Point, [a, b]: [Point; 2], [al, bl]: [f64; 2]) -> Ordering {
+    filter::compare_squares(al, bl).unwrap_or_else(|| compare_distances_exact(p, a, b))
+}
+
+/// Tells where `p` lies relative to the circle of `radius` about `center`; of a negative radius the
+/// absolute value counts. The radius must be finite, too.
+///
+/// Laws, for all finite points: symmetric in `center` and `p`; agrees with [`compare_distances`] where the
+/// distance to some point is `radius` exactly; if `p` equals `center`, it is `Inside`, or `On` if the radius
+/// is zero.
+///
+/// ```
+/// use delone::{Point, predicates::{CircleSide, in_disc}};
+/// let [c, p] = [Point::new(1e16, 0.0), Point::new(1e16 + 3e300, 4e300)];
+/// assert_eq!(in_disc(Point::new(0.0, 0.0), 5.0, Point::new(3.0, 4.0)), CircleSide::On);
+/// assert_eq!(in_disc(c, 5e300, p), in_disc(p, 5e300, c));
+/// ```
+#[inline]
+pub fn in_disc(center: Point, radius: f64, p: Point) -> CircleSide {
+    let arm = [Point::new(0.0, 0.0), Point::new(radius, 0.0)];
+    CircleSide::from_sign(compare_lengths([center, p], arm).reverse())
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`.
 ///
 /// Laws, for all finite points: symmetric in `a` and `b`; the ends themselves are `On`; if `a`

@@ -71,6 +71,13 @@ pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> (Ordering, Stage) {
     )
 }
 
+/// Tells where `p` lies relative to the circle about `center`, and which stage found it.
+pub fn in_disc(center: Point, radius: f64, p: Point) -> (CircleSide, Stage) {
+    let arm = [Point::new(0.0, 0.0), Point::new(radius, 0.0)];
+    let (order, stage) = compare_lengths([center, p], arm);
+    (CircleSide::from_sign(order.reverse()), stage)
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`, and which stage found it.
 pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) {
     let (sign, stage) = first(

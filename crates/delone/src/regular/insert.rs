@@ -110,7 +110,10 @@ impl<'s> Growing<'s> {
             Location::Face(t) => t,
             Location::Edge(h) | Location::Outside(h) => h.triangle(),
             Location::Vertex(_) => unreachable!("bug: two sites in one place"),
-            Location::Beyond(_) => unreachable!("bug: a triangulation without triangles"),
+            Location::Beyond(_) | Location::Apart => {
+                unreachable!("bug: a triangulation without triangles")
+            }
+            Location::Carved(_) => unreachable!("bug: a mesh without a domain"),
         };
         if !self.conflicts(t, v) {
             let [h, ..] = t.half_edges();

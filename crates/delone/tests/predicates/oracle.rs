@@ -102,6 +102,12 @@ pub fn squared_circumradius([a, b, c]: [Point; 3]) -> Option<Relaxed> {
     Some(u * v * w / (&square + &square + &square + &square))
 }
 
+/// Compares the distance from `center` to `p` with `radius`.
+pub fn in_disc(center: Point, radius: f64, p: Point) -> Ordering {
+    let arm = Exact::new(Point::new(radius, 0.0)).x;
+    squared_length_of([center, p]).cmp(&(&arm * &arm))
+}
+
 /// The sign of |p − m|² − r² for the circle with diameter `ab`: negative inside.
 pub fn in_diametral_circle([a, b, p]: [Point; 3]) -> Ordering {
     let [a, b, p] = [a, b, p].map(Exact::new);

@@ -3,7 +3,7 @@
 use delone::Point;
 use delone::predicates::stage::{
     Stage, compare_distances, compare_lengths, in_circle, in_circle_perturbed, in_diametral_circle,
-    orient2d,
+    in_disc, orient2d,
 };
 use delone::predicates::{CircleSide, Orientation};
 use std::cmp::Ordering;
@@ -45,6 +45,16 @@ fn ties_on_a_lattice_stop_at_integers() {
             (CircleSide::On, Stage::Integer)
         );
     }
+}
+
+#[test]
+fn discs_on_a_lattice_stop_at_integers() {
+    let [c, p, q] = points([(1.0, 1.0), (4.0, 5.0), (4.0, 5.0 + 4.0 * ULP)]);
+    assert_eq!(in_disc(c, 6.0, p), (CircleSide::Inside, Stage::Filter));
+    assert_eq!(in_disc(c, 5.0, p), (CircleSide::On, Stage::Integer));
+    assert_eq!(in_disc(c, 5.0, q), (CircleSide::Outside, Stage::Integer));
+    let [far] = points([(3e300, 4e300)]);
+    assert_eq!(in_disc(c, 5e300, far).1, Stage::BigInteger);
 }
 
 /// One more or one less in the last place of a coordinate decides, and 62 bits are enough to see it.
