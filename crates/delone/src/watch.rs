@@ -25,6 +25,10 @@ pub enum Phase {
     Export,
     /// Verifying a triangulation.
     Check,
+    /// Evaluating a surface at many points, or preparing that.
+    Interpolate,
+    /// Following contour lines.
+    Contour,
     /// Drawing a picture.
     Draw,
     /// Writing files.

@@ -29,6 +29,7 @@ mod polynomial;
 mod quotient;
 pub mod stage;
 
+pub(crate) use double::Double;
 pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
 
 /// Where a point lies relative to a directed line.
