@@ -46,16 +46,25 @@ pub(crate) fn draw_with_legend(scene: &Scene<'_>) -> Result<Pixmap, Error> {
 
 /// Packs the pixels.
 pub(crate) fn encode(page: &Pixmap, scene: &Scene<'_>) -> Result<Vec<u8>, Error> {
+    pack(page, &|| scene.check(), &|reason| scene.error(reason))
+}
+
+/// Packs pixels; `check` fails if cancelled, `error` makes an error of a reason.
+pub(crate) fn pack(
+    page: &Pixmap,
+    check: &dyn Fn() -> Result<(), Error>,
+    error: &dyn Fn(String) -> Error,
+) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, page.width(), page.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    let broken = |e: &dyn std::fmt::Display| scene.error(e.to_string());
+    let broken = |e: &dyn std::fmt::Display| error(e.to_string());
     let mut writer = encoder.write_header().map_err(|e| broken(&e))?;
     let mut rows = writer.stream_writer().map_err(|e| broken(&e))?;
     let mut row = Vec::new();
     for pixels in page.pixels().chunks(page.width() as usize) {
-        scene.check()?;
+        check()?;
         row.clear();
         row.extend(pixels.iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
         rows.write_all(&row).map_err(|e| broken(&e))?;

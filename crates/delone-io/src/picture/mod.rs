@@ -11,15 +11,15 @@ mod color;
 pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
+pub(crate) mod relief;
 pub(crate) mod sheet;
 mod view;
 
 pub(crate) use color::{Color, INK, PAPER, scale};
-pub(crate) use view::View;
+pub(crate) use view::{Page, View};
 
 use crate::{Error, MeshView, PictureOptions, cancel};
 use delone::{Phase, Point, VertexId, Watch};
-use view::Page;
 
 /// Classes of colour: angles are rounded to half degrees.
 pub(crate) const CLASSES: usize = 120;
@@ -56,6 +56,19 @@ pub(crate) struct EdgeClass {
     pub edges: Vec<[[f32; 2]; 2]>,
 }
 
+/// Fails for a size that no picture may have.
+fn require_size(options: &PictureOptions, file: &str) -> Result<(), Error> {
+    const SIZES: std::ops::RangeInclusive<u32> = 16..=8192;
+    if SIZES.contains(&options.size) {
+        return Ok(());
+    }
+    let reason = format!("size {} pixels: must be from 16 to 8192", options.size);
+    Err(Error::Picture {
+        file: file.to_owned(),
+        reason,
+    })
+}
+
 /// Everything that is to be drawn, in pixels.
 pub(crate) struct Scene<'a> {
     file: &'a str,
@@ -77,14 +90,7 @@ impl<'a> Scene<'a> {
         options: &PictureOptions,
         watch: &'a dyn Watch,
     ) -> Result<Self, Error> {
-        const SIZES: std::ops::RangeInclusive<u32> = 16..=8192;
-        if !SIZES.contains(&options.size) {
-            let reason = format!("size {} pixels: must be from 16 to 8192", options.size);
-            return Err(Error::Picture {
-                file: file.to_owned(),
-                reason,
-            });
-        }
+        require_size(options, file)?;
         let legend = options.legend && !mesh.triangles.is_empty();
         let page = Page::new(options.size as f32, legend);
         let mut scene = Self {

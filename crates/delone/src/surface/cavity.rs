@@ -109,8 +109,18 @@ mod tests {
 
     #[test]
     fn the_rim_goes_around_counter_clockwise_and_links_join_its_vertices() {
-        let points = [(0., 0.), (4., -1.), (7., 2.), (5., 5.), (1., 4.), (-2., 2.), (3., 9.)];
-        let t = Delaunay::new().triangulate(points.map(Point::from)).expect("a triangulation");
+        let points = [
+            (0., 0.),
+            (4., -1.),
+            (7., 2.),
+            (5., 5.),
+            (1., 4.),
+            (-2., 2.),
+            (3., 9.),
+        ];
+        let t = Delaunay::new()
+            .triangulate(points.map(Point::from))
+            .expect("a triangulation");
         let ground = Ground::from(&t);
         let p = Point::new(2.5, 2.0);
         let place = ground.place(p, &mut TriangleId::new(0)).expect("inside");

@@ -119,9 +119,8 @@ impl Net {
             let [a, b] = [points[from], points[to]];
             [b.x - a.x, b.y - a.y]
         };
-        let near = |from: usize, to: usize| {
-            values[from] + dot(gradients[from], vector(from, to)) / 3.0
-        };
+        let near =
+            |from: usize, to: usize| values[from] + dot(gradients[from], vector(from, to)) / 3.0;
         let edges = [0, 1, 2].map(|k| {
             let [i, j] = ends(k);
             [near(i, j), near(j, i)]
@@ -156,7 +155,11 @@ impl Net {
     fn evaluate(&self, shares: [f64; 3]) -> (f64, [f64; 3]) {
         let k = smallest(shares);
         let [i, j] = ends(k);
-        let [u, v, w] = [shares[i] - shares[k], shares[j] - shares[k], 3.0 * shares[k]];
+        let [u, v, w] = [
+            shares[i] - shares[k],
+            shares[j] - shares[k],
+            3.0 * shares[k],
+        ];
         let ([iij, ijj], [iis, iss], [jjs, jss]) = (self.edges[k], self.spokes[i], self.spokes[j]);
         let [iii, jjj, ijs, sss] = [self.values[i], self.values[j], self.within[k], self.center];
         let mix = |a: f64, b: f64, c: f64| u * a + v * b + w * c;

@@ -49,8 +49,8 @@ impl Fit {
             return None;
         }
         let mut diagonal = [0.0; TERMS];
-        for k in 0..terms {
-            diagonal[k] = self.reflect(k);
+        for (k, entry) in diagonal.iter_mut().enumerate().take(terms) {
+            *entry = self.reflect(k);
         }
         let largest = diagonal.iter().fold(0.0, |m: f64, d| m.max(d.abs()));
         // False for NaN, too.
@@ -69,7 +69,8 @@ impl Fit {
             for column in k + 1..=TERMS {
                 let along: f64 = rows.iter().map(|row| row[k] * row[column]).sum();
                 let factor = 2.0 * along / squared;
-                rows.iter_mut().for_each(|row| row[column] -= factor * row[k]);
+                rows.iter_mut()
+                    .for_each(|row| row[column] -= factor * row[k]);
             }
         }
         diagonal
@@ -104,7 +105,15 @@ mod tests {
 
     #[test]
     fn quadratics_are_fitted_exactly() {
-        let around = [(0., 0.), (2., 1.), (1., 3.), (-1., 2.), (3., 3.), (0., 4.), (2., 0.)];
+        let around = [
+            (0., 0.),
+            (2., 1.),
+            (1., 3.),
+            (-1., 2.),
+            (3., 3.),
+            (0., 4.),
+            (2., 0.),
+        ];
         let found = gradient(&around, |x, y| 3.0 + x - y + x * x - 2.0 * x * y + y * y);
         require(found, [1.0 + 2.0 - 4.0, -1.0 - 2.0 + 4.0]);
     }

@@ -97,7 +97,11 @@ fn means(samples: &Samples<'_>, watch: &dyn Watch) -> Result<Gradients, Error> {
     let ground = samples.ground();
     let triangulation = ground.triangulation();
     let n = triangulation.points().len();
-    let mut pace = Pace::new(watch, Phase::Interpolate, triangulation.num_triangles() as u64);
+    let mut pace = Pace::new(
+        watch,
+        Phase::Interpolate,
+        triangulation.num_triangles() as u64,
+    );
     let mut sums = vec![([0.0; 2], 0.0); n];
     for t in (0..triangulation.num_triangles()).map(TriangleId::new) {
         pace.step()?;

@@ -132,8 +132,7 @@ impl<'t> Ground<'t> {
         let points = self.triangulation.points();
         let mut touched = [None; 2];
         for &h in half_edges {
-            let [a, b] =
-                [self.mesh().origin(h), self.mesh().dest(h)].map(|v| points[v.index()]);
+            let [a, b] = [self.mesh().origin(h), self.mesh().dest(h)].map(|v| points[v.index()]);
             match orient2d(a, b, goal) {
                 Orientation::Right => return Step::Through(h),
                 Orientation::Collinear => touched = [Some(h), touched[0]],
@@ -208,7 +207,11 @@ mod tests {
             let first = found(0);
             assert!((1..faces + 2).all(|from| found(from) == first), "{goal:?}");
             let in_hole = |c: f64| c > 2.0 && c < 4.0;
-            assert_eq!(first.is_none(), in_hole(goal.x) && in_hole(goal.y), "{goal:?}");
+            assert_eq!(
+                first.is_none(),
+                in_hole(goal.x) && in_hole(goal.y),
+                "{goal:?}"
+            );
         }
     }
 

@@ -1,8 +1,8 @@
 //! What every surface can be asked, and what remembers where the last question was answered.
 
+use super::ground::{Place, Spot};
 use super::natural::Scratch;
 use super::number::{Vector, cross, share_along, shares};
-use super::ground::{Place, Spot};
 use super::{Ground, Samples};
 use crate::{Point, TriangleId, VertexId};
 
@@ -118,11 +118,7 @@ pub(super) fn value_at(samples: &Samples<'_>, place: Place, p: Point) -> f64 {
 
 /// Returns the corners of the place's triangle with their shares in the point; on an edge, exactly
 /// nothing belongs to the corner beyond, and on a vertex all to that.
-pub(super) fn linear_shares(
-    ground: &Ground<'_>,
-    place: Place,
-    p: Point,
-) -> [(VertexId, f64); 3] {
+pub(super) fn linear_shares(ground: &Ground<'_>, place: Place, p: Point) -> [(VertexId, f64); 3] {
     let corners = ground.mesh().corners(place.triangle);
     let shares = match place.spot {
         Spot::Face => shares(ground.corners(place.triangle), p),

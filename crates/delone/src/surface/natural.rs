@@ -9,15 +9,15 @@
 //!   circumcentres, and the old Voronoi edges (as Watson 1992 does along triangles; along pieces no
 //!   edge within the cavity needs a circle with p, with which it may be collinear). The gradient of an
 //!   area is that of its only side that moves, |cᵢ₋₁cᵢ|/|p vᵢ| · ((cᵢ₋₁ + cᵢ)/2 − p) (Piper 1993).
-//! - *Laplace* (non-Sibsonian, Belikov et al. 1997; Hiyoshi and Sugihara 1999) weighs it by the length
+//! - *Laplace* (non-Sibsonian, Belikov et al. 1997; Hiyoshi and Sugihara 2000) weighs it by the length
 //!   of the side that their cells share, over their distance: half the cotangents of the two angles
 //!   that see p vᵢ.
 //!
 //! Both sum to 1, are never negative, and give p back as the mean of its neighbours: linear functions
-//! are reproduced. That last law is the check: where the weights in `f64` miss it by more than 2⁻⁴⁰,
-//! near flat triangles at the hull mostly, they are computed again with twice the bits; where
-//! those do not do either (p within 10⁻²⁰ of an edge of the hull, say) the linear weights of the triangle
-//! are taken, to which both tend there.
+//! are reproduced. Where `f64` is not enough, near flat triangles at the hull mostly, weights are computed
+//! again with twice the bits: where determinants or sums cancel by more than [`MOST_CANCELLED`], or the
+//! last law is missed by more than 2⁻⁴⁰. Where even those miss it (p within 10⁻²⁰ of an edge of the hull,
+//! say) the linear weights of the triangle are taken, to which both tend there.
 //!
 //! In a domain, neighbours are those of the *constrained* Delaunay triangulation with p: nobody takes
 //! anything through a segment. All laws but one hold there too: behind the end of a segment, a weight
@@ -26,10 +26,13 @@
 use super::cavity::Cavity;
 use super::ground::{Place, Spot};
 use super::interpolant::linear_shares;
-use super::number::{Frame, Number, Vector, cross, dot, minus, plus};
+use super::number::{Frame, Number, Vector, cross, cross_gross, dot, minus, plus};
 use super::{Cursor, Ground};
 use crate::predicates::{Double, in_circle_perturbed};
 use crate::{Error, HalfEdgeId, Point, TriangleId, VertexId};
+
+/// How many times larger than a determinant or a sum its terms may be in `f64`: ten bits.
+const MOST_CANCELLED: f64 = 1024.0;
 
 /// How neighbours are weighed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -196,21 +199,30 @@ impl Scratch {
 struct Room<N> {
     /// To the vertices of the rim.
     rim: Vec<Vector<N>>,
+    /// From each vertex of the rim to the next.
+    along: Vec<Vector<N>>,
     /// To the circumcentres with the edges of the rim.
     outer: Vec<Vector<N>>,
     /// To the circumcentres of the cavity's triangles.
     inner: Vec<Vector<N>>,
     /// The weights before they are divided by their sum, and their gradients.
     raw: Vec<(N, Vector<N>)>,
+    /// Whether some determinant has cancelled too much.
+    is_flat: bool,
+    /// The magnitudes of the terms of all weights.
+    gross: f64,
 }
 
 impl<N> Default for Room<N> {
     fn default() -> Self {
         Self {
             rim: Vec::new(),
+            along: Vec::new(),
             outer: Vec::new(),
             inner: Vec::new(),
             raw: Vec::new(),
+            is_flat: false,
+            gross: 0.0,
         }
     }
 }
@@ -226,18 +238,31 @@ struct Job<'a> {
 impl Job<'_> {
     /// Computes the weights; false if they are not what they must be.
     fn run<N: Number>(&self, room: &mut Room<N>, weights: &mut Weights) -> bool {
-        let points = self.ground.triangulation().points();
-        let rim = self.cavity.rim.iter().map(|rim| rim.vertex.index());
-        room.rim.clear();
-        room.rim.extend(rim.map(|v| self.frame.vector::<N>(points[v])));
-        room.raw.clear();
-        room.raw.resize(room.rim.len(), (N::ZERO, [N::ZERO; 2]));
+        self.look_around(room);
         match self.weighing {
             Weighing::Sibson => self.sibson(room),
             Weighing::Laplace => self.laplace(room),
         }
-        self.share_out(&room.raw, weights);
-        is_mean(&room.rim, weights)
+        let sum = self.share_out(&room.raw, weights);
+        let is_precise = !room.is_flat && room.gross < MOST_CANCELLED * sum;
+        (N::IS_WIDE || is_precise) && is_mean(&room.rim, weights)
+    }
+
+    /// Clears the room and finds the vectors to and along the rim.
+    fn look_around<N: Number>(&self, room: &mut Room<N>) {
+        let points = self.ground.triangulation().points();
+        let rim = &self.cavity.rim;
+        let at = |i: usize| points[rim[i % rim.len()].vertex.index()];
+        room.rim.clear();
+        room.along.clear();
+        for i in 0..rim.len() {
+            room.rim.push(self.frame.vector(at(i)));
+            room.along.push(self.frame.between(at(i), at(i + 1)));
+        }
+        room.raw.clear();
+        room.raw.resize(rim.len(), (N::ZERO, [N::ZERO; 2]));
+        room.is_flat = false;
+        room.gross = 0.0;
     }
 
     /// Sums up twice the areas that the point takes from the cells of its neighbours.
@@ -248,12 +273,14 @@ impl Job<'_> {
             outer,
             inner,
             raw,
+            gross,
+            ..
         } = room;
         let n = rim.len();
         for i in 0..n {
             let (next, before) = ((i + 1) % n, (i + n - 1) % n);
-            let side = cross(outer[before], outer[i]);
-            let spoke = cross(outer[i], inner[self.cavity.rim[i].inner]);
+            let side = cross_gross(outer[before], outer[i], gross);
+            let spoke = cross_gross(outer[i], inner[self.cavity.rim[i].inner], gross);
             raw[i].0 = raw[i].0.add(side).add(spoke);
             raw[next].0 = raw[next].0.sub(spoke);
             if self.with_gradients {
@@ -266,7 +293,7 @@ impl Job<'_> {
         }
         for link in &self.cavity.links {
             let [left, right] = link.sides.map(|t| inner[t]);
-            let edge = cross(right, left);
+            let edge = cross_gross(right, left, gross);
             let [from, to] = link.ends;
             raw[from].0 = raw[from].0.add(edge);
             raw[to].0 = raw[to].0.sub(edge);
@@ -275,30 +302,40 @@ impl Job<'_> {
 
     /// Finds the circumcentres.
     fn place_centers<N: Number>(&self, room: &mut Room<N>) {
-        let n = room.rim.len();
         room.outer.clear();
-        let rim = &room.rim;
-        let pairs = (0..n).map(|i| circumcenter(rim[i], rim[(i + 1) % n]));
-        room.outer.extend(pairs);
         room.inner.clear();
-        let triangles = self.cavity.triangles.iter();
-        room.inner.extend(triangles.map(|&t| {
-            let [a, b, c] = self.ground.corners(t).map(|c| self.frame.vector::<N>(c));
-            plus(a, circumcenter(minus(b, a), minus(c, a)))
-        }));
+        for (&u, &d) in room.rim.iter().zip(&room.along) {
+            let center = circumcenter(u, d, plus(plus(u, u), d), &mut room.is_flat);
+            room.outer.push(center);
+        }
+        for &t in &self.cavity.triangles {
+            let [a, b, c] = self.ground.corners(t);
+            let [u, d, v] = [(a, b), (b, c), (a, c)].map(|(p, q)| self.frame.between(p, q));
+            let center = circumcenter(u, d, plus(u, v), &mut room.is_flat);
+            room.inner.push(plus(self.frame.vector(a), center));
+        }
     }
 
     /// Sums up the cotangents of the angles that see the edges from the point to its neighbours.
-    fn laplace<N: Number>(&self, Room { rim, raw, .. }: &mut Room<N>) {
+    fn laplace<N: Number>(&self, room: &mut Room<N>) {
+        let Room {
+            rim,
+            along,
+            raw,
+            is_flat,
+            gross,
+            ..
+        } = room;
         let n = rim.len();
         for i in 0..n {
             let next = (i + 1) % n;
-            let (a, b) = (rim[i], rim[next]);
-            let (along, area) = (minus(b, a), cross(a, b));
+            let (a, b, along) = (rim[i], rim[next], along[i]);
+            let area = determinant(a, along, is_flat);
             // How the area changes when the point moves.
-            let turn = [a[1].sub(b[1]), b[0].sub(a[0])];
+            let turn = [N::ZERO.sub(along[1]), along[0]];
             let mut add = |of: usize, end: Vector<N>, along: Vector<N>| {
                 let cotangent = dot(end, along).div(area);
+                *gross += cotangent.value().abs();
                 raw[of].0 = raw[of].0.add(cotangent);
                 if self.with_gradients {
                     let change = plus(along, turn.map(|t| t.mul(cotangent)));
@@ -307,12 +344,13 @@ impl Job<'_> {
                 }
             };
             add(i, b, along);
-            add(next, a, minus(a, b));
+            add(next, a, along.map(|c| N::ZERO.sub(c)));
         }
     }
 
-    /// Divides the weights by their sum, and brings gradients to units of the coordinates.
-    fn share_out<N: Number>(&self, raw: &[(N, Vector<N>)], weights: &mut Weights) {
+    /// Divides the weights by their sum, which is returned, and brings gradients to units of the
+    /// coordinates.
+    fn share_out<N: Number>(&self, raw: &[(N, Vector<N>)], weights: &mut Weights) -> f64 {
         let sum = raw.iter().fold(N::ZERO, |sum, (w, _)| sum.add(*w));
         let change = raw
             .iter()
@@ -331,18 +369,34 @@ impl Job<'_> {
                 gradient,
             }
         }));
+        sum.value()
     }
 }
 
-/// Returns the centre of the circle through the origin, `u` and `v`.
+/// Twice the area between two vectors; notes if that is small beside what it is the difference of.
 #[inline(always)]
-fn circumcenter<N: Number>(u: Vector<N>, v: Vector<N>) -> Vector<N> {
-    let area = cross(u, v);
+fn determinant<N: Number>(u: Vector<N>, v: Vector<N>, is_flat: &mut bool) -> N {
+    let mut gross = 0.0;
+    let area = cross_gross(u, v, &mut gross);
+    *is_flat |= area.value().abs() * MOST_CANCELLED < gross;
+    area
+}
+
+/// Returns the centre of the circle through the origin, `u` and `u + d`; `sum` is 2u + d. If `u` or `d`
+/// is short the other may be long: nothing but what is flat cancels.
+#[inline(always)]
+fn circumcenter<N: Number>(
+    u: Vector<N>,
+    d: Vector<N>,
+    sum: Vector<N>,
+    is_flat: &mut bool,
+) -> Vector<N> {
+    let area = determinant(u, d, is_flat);
     let area = area.add(area);
-    let (uu, vv) = (dot(u, u), dot(v, v));
+    let (uu, rest) = (dot(u, u), dot(d, sum));
     [
-        v[1].mul(uu).sub(u[1].mul(vv)).div(area),
-        u[0].mul(vv).sub(v[0].mul(uu)).div(area),
+        d[1].mul(uu).sub(u[1].mul(rest)).div(area),
+        u[0].mul(rest).sub(d[0].mul(uu)).div(area),
     ]
 }
 

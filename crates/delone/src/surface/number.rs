@@ -2,10 +2,13 @@
 
 use crate::Point;
 use crate::predicates::Double;
+use std::cmp::Ordering;
 
 /// What the formulae of weights need to know about numbers.
 pub(super) trait Number: Copy {
     const ZERO: Self;
+    /// Whether there are bits to spare.
+    const IS_WIDE: bool;
     /// Returns `a − b`.
     fn difference(a: f64, b: f64) -> Self;
     fn add(self, other: Self) -> Self;
@@ -17,6 +20,7 @@ pub(super) trait Number: Copy {
 
 impl Number for f64 {
     const ZERO: Self = 0.0;
+    const IS_WIDE: bool = false;
 
     #[inline(always)]
     fn difference(a: f64, b: f64) -> Self {
@@ -54,6 +58,7 @@ impl Number for Double {
         high: 0.0,
         low: 0.0,
     };
+    const IS_WIDE: bool = true;
 
     fn difference(a: f64, b: f64) -> Self {
         Double::sum(a, -b)
@@ -86,7 +91,6 @@ impl Number for Double {
 /// A vector.
 pub(super) type Vector<N> = [N; 2];
 
-/// Returns the vector from `b` to `a`.
 #[inline(always)]
 pub(super) fn minus<N: Number>(a: Vector<N>, b: Vector<N>) -> Vector<N> {
     [a[0].sub(b[0]), a[1].sub(b[1])]
@@ -101,6 +105,14 @@ pub(super) fn plus<N: Number>(a: Vector<N>, b: Vector<N>) -> Vector<N> {
 #[inline(always)]
 pub(super) fn cross<N: Number>(a: Vector<N>, b: Vector<N>) -> N {
     a[0].mul(b[1]).sub(a[1].mul(b[0]))
+}
+
+/// As [`cross`], adding the magnitudes of the two products, which cancel, to `gross`.
+#[inline(always)]
+pub(super) fn cross_gross<N: Number>(a: Vector<N>, b: Vector<N>, gross: &mut f64) -> N {
+    let (left, right) = (a[0].mul(b[1]), a[1].mul(b[0]));
+    *gross += left.value().abs() + right.value().abs();
+    left.sub(right)
 }
 
 #[inline(always)]
@@ -136,6 +148,16 @@ impl Frame {
         Self { scale, middle }
     }
 
+    /// Returns the scaled vector from `a` to `b`: more exact than the difference of their vectors, which
+    /// are rounded.
+    #[inline(always)]
+    pub fn between<N: Number>(&self, a: Point, b: Point) -> Vector<N> {
+        [
+            N::difference(b.x * self.scale[0], a.x * self.scale[0]),
+            N::difference(b.y * self.scale[1], a.y * self.scale[1]),
+        ]
+    }
+
     /// Returns the scaled vector from the middle to `p`.
     #[inline(always)]
     pub fn vector<N: Number>(&self, p: Point) -> Vector<N> {
@@ -168,10 +190,13 @@ fn power_below(half: f64) -> f64 {
 }
 
 /// Tells how much of a point in a triangle belongs to each corner: at least 0, and 1 together, all
-/// within some 10⁻¹³, however flat the triangle is. A point beyond an edge counts as on it.
+/// within some 10⁻¹³. A point beyond an edge counts as on it.
 ///
-/// The shares are those of the areas of the three triangles between the point and the edges.
+/// The shares are those of the areas of the three triangles between the point and the edges. Of a
+/// triangle that is 2⁶⁰ times as long as wide, less wide than coordinates are exact, only two corners
+/// count, between which the point is.
 pub(super) fn shares(corners: [Point; 3], at: Point) -> [f64; 3] {
+    const LEAST: f64 = 1.0 / (1_u64 << 60) as f64;
     let frame = Frame::by_axis(at, corners.into_iter());
     let vectors: [Vector<f64>; 3] = corners.map(|c| frame.vector(c));
     let areas = areas(vectors);
@@ -182,11 +207,27 @@ pub(super) fn shares(corners: [Point; 3], at: Point) -> [f64; 3] {
     }
     let areas = self::areas::<Double>(corners.map(|c| frame.vector(c)));
     let sum: f64 = areas.iter().sum();
-    if sum > 0.0 {
+    if sum > LEAST {
         areas.map(|area| area / sum)
     } else {
-        [1.0 / 3.0; 3]
+        shares_along(corners, at)
     }
+}
+
+/// Returns shares of the two corners between which a point is, on a line as far as can be told.
+fn shares_along(corners: [Point; 3], at: Point) -> [f64; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| corners[i].lex_cmp(&corners[j]));
+    let [low, middle, high] = order;
+    let [from, to] = match at.lex_cmp(&corners[middle]) {
+        Ordering::Less => [low, middle],
+        _ => [middle, high],
+    };
+    let share = share_along([corners[from], corners[to]], at);
+    let mut shares = [0.0; 3];
+    shares[from] = 1.0 - share;
+    shares[to] = share;
+    shares
 }
 
 fn areas<N: Number>([u, v, w]: [Vector<N>; 3]) -> [f64; 3] {
@@ -248,6 +289,14 @@ mod tests {
         let (x, e) = (1e6, 1.0 / (1_u64 << 30) as f64);
         let corners = [(x, x), (x + 4.0, x + 4.0), (x + 2.0, x + 2.0 + e)];
         require(corners, (x + 2.0, x + 2.0 + e / 2.0), [0.25, 0.25, 0.5]);
+        let flat = [
+            (0.0, 0.0),
+            (1e300, 1e300),
+            (4e300, 4.000_000_000_000_001e300),
+        ];
+        require(flat, (1e299, 1e299), [0.9, 0.1, 0.0]);
+        let line = [(0.0, 0.0), (4e307, 4e307), (1e-300, 0.0)];
+        require(line, (1e307, 1e307), [0.0, 0.25, 0.75]);
     }
 
     #[test]

@@ -17,10 +17,7 @@ impl<'t> Samples<'t> {
     /// [`Error::ValuesMissing`] unless there is one for each; [`Error::ValueNotFinite`] names a point
     /// whose value is NaN or infinite; [`Error::ValuesDiffer`] two equal points with different values
     /// ([`average_duplicates`] makes them agree).
-    pub fn new(
-        ground: impl Into<Ground<'t>>,
-        values: impl Into<Vec<f64>>,
-    ) -> Result<Self, Error> {
+    pub fn new(ground: impl Into<Ground<'t>>, values: impl Into<Vec<f64>>) -> Result<Self, Error> {
         let (ground, values) = (ground.into(), values.into());
         let triangulation = ground.triangulation();
         require_number(values.len(), triangulation, "values")?;
@@ -99,10 +96,7 @@ pub(super) fn require_number(
 /// assert_eq!(values, [5.0, 7.0, 7.0, 7.0]);
 /// # Ok::<(), delone::Error>(())
 /// ```
-pub fn average_duplicates(
-    triangulation: &Triangulation,
-    values: &mut [f64],
-) -> Result<(), Error> {
+pub fn average_duplicates(triangulation: &Triangulation, values: &mut [f64]) -> Result<(), Error> {
     require_number(values.len(), triangulation, "values")?;
     let mut groups: Vec<_> = triangulation
         .duplicates()
