@@ -7,10 +7,11 @@ use crate::{HalfEdgeId, Point, TriangleId, VertexId};
 /// The triangles whose circles hold a point that sees them, and what bounds them.
 ///
 /// ```text
-///          v2 ------- v1        rim: v0 v1 v2 v3 …, counter-clockwise; edge i runs from v(i) to
-///         /  \   T1  / \        v(i+1), inside of it lies triangle `inner`;
-///        / T2 \     / T0 \      links: the edges within, between two of the triangles, here
-///      v3 ----- \ /------ v0    those from v0 to … that part T0 | T1 and T1 | T2
+///       v2 ───────── v1      rim: v0 v1 v2 v3, counter-clockwise; of edge i, from v(i) to v(i + 1),
+///        │ \   T0   │       triangle `inner` is the one inside of it: T0, T0, T1, T1
+///        │    \  p  │       link: the edge within, between v0 and v2, T0 to one side and T1 to
+///        │  T1   \  │       the other
+///       v3 ───────── v0
 /// ```
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cavity {

@@ -1,13 +1,13 @@
 //! Many points at once.
 
-use super::{Cursor, Interpolant};
+use super::{Cursor, Grid, Interpolant, Raster};
 use crate::parallel::with_workers;
-use crate::surface::raster::{Grid, Raster};
 use crate::{Error, Phase, Point, Watch};
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points evaluated between two looks at the watch.
-const STRIDE: usize = 1 << 10;
+const STRIP: usize = 1 << 10;
 
 /// How to evaluate a surface at many points.
 ///
@@ -64,12 +64,14 @@ impl<'w> Evaluation<'w> {
         points: &[Point],
     ) -> Result<Vec<Option<f64>>, Error> {
         let order = along_curve(points);
-        let answer = |cursor: &mut Cursor, &i: &u32| {
-            let value = surface.value_near(points[i as usize], cursor);
-            (i, value)
+        let answer = |cursor: &mut Cursor, strip: &&[u32]| -> Vec<Option<f64>> {
+            let points = strip.iter().map(|&i| points[i as usize]);
+            points.map(|p| surface.value_near(p, cursor)).collect()
         };
+        let strips: Vec<&[u32]> = order.chunks(STRIP).collect();
+        let answers = self.each(&strips, points.len(), answer)?;
         let mut values = vec![None; points.len()];
-        for (i, value) in self.each(&order, answer)?.into_iter().flatten() {
+        for (&i, value) in order.iter().zip(answers.into_iter().flatten()) {
             values[i as usize] = value;
         }
         Ok(values)
@@ -80,52 +82,89 @@ impl<'w> Evaluation<'w> {
     /// # Errors
     /// [`Error::Cancelled`] if the watch says so; [`Error::Threads`] if they cannot be started.
     pub fn raster(self, surface: &dyn Interpolant, grid: Grid) -> Result<Raster, Error> {
-        let cells: Vec<usize> = (0..grid.columns() * grid.rows()).collect();
-        let answer = |cursor: &mut Cursor, &cell: &usize| {
-            let (row, along) = (cell / grid.columns(), cell % grid.columns());
-            // There and back, row by row.
-            let column = match row % 2 {
-                0 => along,
-                _ => grid.columns() - 1 - along,
+        let (columns, rows) = (grid.columns(), grid.rows());
+        let strips = there_and_back(columns, rows);
+        let answer = |cursor: &mut Cursor, strip: &Strip| -> Vec<f64> {
+            let mut value = |column| {
+                let value = surface.value_near(grid.center(column, strip.row), cursor);
+                value.unwrap_or(f64::NAN)
             };
-            let value = surface.value_near(grid.center(column, row), cursor);
-            (row * grid.columns() + column, value)
+            if strip.is_back() {
+                let mut values: Vec<f64> = strip.columns.clone().rev().map(value).collect();
+                values.reverse();
+                return values;
+            }
+            strip.columns.clone().map(&mut value).collect()
         };
-        let mut values = vec![f64::NAN; cells.len()];
-        for (cell, value) in self.each(&cells, answer)?.into_iter().flatten() {
-            values[cell] = value.unwrap_or(f64::NAN);
+        let answers = self.each(&strips, columns * rows, answer)?;
+        let mut values = vec![f64::NAN; columns * rows];
+        for (strip, answer) in strips.iter().zip(answers) {
+            let start = strip.row * columns + strip.columns.start;
+            values[start..start + answer.len()].copy_from_slice(&answer);
         }
         Ok(Raster::new(grid, values))
     }
 
-    /// Answers all questions, each chunk with a cursor of its own.
-    fn each<Q: Sync, A: Send>(
+    /// Answers strips of questions, `num_points` altogether, in chunks with a cursor each.
+    fn each<S: Sync, A: Send>(
         self,
-        questions: &[Q],
-        answer: impl Fn(&mut Cursor, &Q) -> A + Sync,
-    ) -> Result<Vec<Vec<A>>, Error> {
+        strips: &[S],
+        num_points: usize,
+        answer: impl Fn(&mut Cursor, &S) -> A + Sync,
+    ) -> Result<Vec<A>, Error> {
         let done = AtomicU64::new(0);
-        let total = questions.len() as u64;
-        let chunk = |questions: &[Q]| {
+        let total = strips.len() as u64;
+        let chunk = |strips: &[S]| {
             let mut cursor = Cursor::default();
-            let mut answers = Vec::with_capacity(questions.len());
-            for stride in questions.chunks(STRIDE) {
+            let mut answers = Vec::with_capacity(strips.len());
+            for strip in strips {
                 if self.watch.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
-                answers.extend(stride.iter().map(|question| answer(&mut cursor, question)));
-                let before = done.fetch_add(stride.len() as u64, Ordering::Relaxed);
-                let done = before + stride.len() as u64;
+                answers.push(answer(&mut cursor, strip));
+                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                 self.watch.progress(Phase::Interpolate, done, total);
             }
             Ok(answers)
         };
         with_workers(self.threads, |workers| {
-            let length = workers.chunk_len(questions.len(), 8);
-            let chunks = workers.map(questions.chunks(length).collect(), chunk);
-            chunks.into_iter().collect()
+            let points_per_chunk = workers.chunk_len(num_points, 8);
+            let length = (points_per_chunk * strips.len()).div_ceil(num_points.max(1));
+            let chunks = strips.chunks(length.max(1)).collect();
+            let answers: Result<Vec<Vec<A>>, Error> =
+                workers.map(chunks, chunk).into_iter().collect();
+            Ok(answers?.into_iter().flatten().collect())
         })?
     }
+}
+
+/// Cells of one row that follow each other.
+struct Strip {
+    row: usize,
+    columns: Range<usize>,
+}
+
+impl Strip {
+    /// Tells whether it is walked from right to left.
+    fn is_back(&self) -> bool {
+        !self.row.is_multiple_of(2)
+    }
+}
+
+/// Cuts rows into strips, in the order in which each begins beside the end of the one before.
+fn there_and_back(columns: usize, rows: usize) -> Vec<Strip> {
+    let mut strips = Vec::new();
+    for row in 0..rows {
+        let first = strips.len();
+        strips.extend((0..columns).step_by(STRIP).map(|start| Strip {
+            row,
+            columns: start..columns.min(start + STRIP),
+        }));
+        if strips[first].is_back() {
+            strips[first..].reverse();
+        }
+    }
+    strips
 }
 
 /// Returns the points' numbers in Morton order of a lattice of 2¹⁶ × 2¹⁶ cells over their box; those
@@ -169,6 +208,25 @@ fn spread(bits: u16) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn strips_lead_there_and_back_over_every_cell() {
+        let columns = 2 * STRIP + 5;
+        let mut last: Option<(usize, usize)> = None;
+        let strips = there_and_back(columns, 3);
+        for strip in &strips {
+            let (first, end) = match strip.is_back() {
+                true => (strip.columns.end - 1, strip.columns.start),
+                false => (strip.columns.start, strip.columns.end - 1),
+            };
+            if let Some((column, row)) = last {
+                assert_eq!(first.abs_diff(column) + strip.row.abs_diff(row), 1);
+            }
+            last = Some((end, strip.row));
+        }
+        let cells: usize = strips.iter().map(|strip| strip.columns.len()).sum();
+        assert_eq!(cells, 3 * columns);
+    }
 
     #[test]
     fn the_curve_visits_every_point_and_goes_quarter_by_quarter() {
