@@ -9,13 +9,13 @@
 //!                               └─> contours
 //! ```
 //!
-//! | surface | smooth | stays within the values | cost of a value, points in order |
+//! | surface | smooth | stays within the values | cost of a value, questions in order |
 //! |---|---|---|---|
 //! | [`Linear`] | continuous | yes | the walk |
-//! | [`NaturalNeighbor`], Laplace | continuous; bends at circumcircles | yes | some 0.5 µs |
-//! | [`NaturalNeighbor`], Sibson | but for tips at the vertices | yes | some 1 µs |
-//! | [`SmoothNaturalNeighbor`] | but for the border | no | some 1.5 µs |
-//! | [`CloughTocher`] | everywhere | no | the walk, and some 0.2 µs |
+//! | [`NaturalNeighbor`], Laplace | continuous; bends at circumcircles | yes | the walk, and some 0.2 µs |
+//! | [`NaturalNeighbor`], Sibson | but for tips at the vertices | yes | the walk, and some 0.3 µs |
+//! | [`SmoothNaturalNeighbor`] | but for the border | no | the walk, and some 0.4 µs |
+//! | [`CloughTocher`] | everywhere | no | the walk, and some 0.1 µs |
 //!
 //! Where a point lies, which triangles a cavity has and which edges a line crosses is decided exactly; values,
 //! weights and gradients are rounded. All of them depend on the triangulation, the values and the point alone. A

@@ -115,7 +115,7 @@ impl<'t> NaturalNeighbors<'t> {
     /// The weights sum to 1 up to rounding. A vertex is its own and only neighbour; on the border, and
     /// on a segment, the two ends of the edge are.
     ///
-    /// *Cost*: a walk from far away, and some 100 ns for each neighbour.
+    /// *Cost*: a walk from far away, and some 50 ns for each neighbour.
     pub fn weights(&self, p: Point, weighing: Weighing) -> Option<Vec<(VertexId, f64)>> {
         self.weights_near(p, weighing, &mut Cursor::default())
     }
