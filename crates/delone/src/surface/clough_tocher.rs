@@ -36,7 +36,7 @@ use crate::{Error, Point, TriangleId};
 /// let surface = CloughTocher::new(&samples, &gradients)?;
 /// assert_eq!(surface.value((1.0, 1.0).into()), Some(8.0));
 /// let top = surface.value_and_gradient((1.0, 1.0).into()).expect("inside");
-/// assert!(top.gradient.iter().all(|slope| slope.abs() < 1e-9)); // a round hill top
+/// assert!(top.gradient.iter().all(|slope| slope.abs() < 1e-4)); // a round hill top
 /// # Ok::<(), delone::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
