@@ -16,11 +16,12 @@
 //! | `.area` (Triangle) | | | [`read_areas`] | |
 //! | `.v.node`, `.v.edge` (Triangle) | | | | [mesh](WriteOptions::voronoi) |
 //! | `.poly` (Triangle) | read | read | beside `.ele` | domain; mesh with its family |
-//! | `.geojson` (RFC 7946) | read | read | | domain, mesh |
+//! | `.geojson` (RFC 7946) | read | read | | domain, mesh, contour lines |
 //! | `.wkt` (well-known text) | read | read | | |
-//! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both |
+//! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both, raster |
 //! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | points | | points |
 //! | `.vtu` (VTK, ParaView) | read | points | read | both |
+//! | `.asc` (ESRI's ASCII grid) | | | | raster |
 //! | `.svg`, `.png` | | | | all, report |
 //! | `.html` | | | | report |
 //!
@@ -70,6 +71,7 @@
 //! ```
 
 mod areas;
+mod asc;
 mod cancel;
 mod cells;
 mod constraints;
@@ -89,6 +91,7 @@ mod picture;
 mod png;
 mod points;
 mod poly;
+mod relief;
 mod report;
 mod scan;
 mod shapes;
@@ -116,6 +119,7 @@ pub use format::Format;
 pub use inherit::Inherited;
 pub use mesh::{MeshData, MeshView, read_mesh};
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
+pub use relief::{Relief, ReliefOptions, write_relief};
 pub use report::{ReportOptions, write_report};
 pub use source::Source;
 pub use target::Target;

@@ -93,7 +93,7 @@ pub(crate) fn encode(page: &Pixmap, scene: &Scene<'_>) -> Result<Vec<u8>, Error>
 }
 
 /// Packs the pixels of the picture `file`; `check` fails if cancelled.
-fn pack(
+pub(crate) fn pack(
     page: &Pixmap,
     file: &str,
     check: impl Fn() -> Result<(), Error>,

@@ -35,6 +35,10 @@ pub enum Phase {
     Check,
     /// Answering queries: where points lie, what is nearest to them.
     Query,
+    /// Evaluating a surface at many points, or preparing that.
+    Interpolate,
+    /// Following contour lines.
+    Contour,
     /// Drawing a picture.
     Draw,
     /// Writing files.

@@ -12,15 +12,15 @@ mod color;
 pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
+pub(crate) mod relief;
 pub(crate) mod sheet;
 mod view;
 
 pub(crate) use color::{Color, INK, PAPER, scale};
-pub(crate) use view::View;
+pub(crate) use view::{Page, View};
 
 use crate::{Error, MeshView, PictureOptions, cancel};
 use delone::{Phase, Point, VertexId, Watch};
-use view::Page;
 
 /// Classes of colour: angles are rounded to half degrees.
 pub(crate) const CLASSES: usize = 120;

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// The number `high + low`, where `high` is the sum rounded to nearest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Double {
+pub(crate) struct Double {
     pub high: f64,
     pub low: f64,
 }

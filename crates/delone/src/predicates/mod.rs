@@ -36,6 +36,7 @@ mod quotient;
 mod radius;
 pub mod stage;
 
+pub(crate) use double::Double;
 pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND, compare_squares, squared_length};
 pub use power::{
     Weighted, compare_powers, in_power_circle, in_power_circle_perturbed, in_power_segment,
