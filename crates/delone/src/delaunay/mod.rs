@@ -18,6 +18,7 @@ mod frame;
 mod group;
 mod incremental;
 mod input;
+mod insertion;
 mod knit;
 mod leaf;
 mod order;
@@ -28,6 +29,7 @@ mod signs;
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
+pub(crate) use insertion::{Growing, insert};
 pub(crate) use order::sort_by_high_half;
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
