@@ -1,4 +1,4 @@
-//! What every edit is made of: four steps, each the inverse of another, noted in a journal.
+//! What every edit is made of: five steps, each the inverse of another or of itself, noted in a journal.
 //!
 //! The result of an edit depends on points and constraints alone, so a step is taken back by its
 //! inverse: no snapshot of faces is ever needed, and ids come back because they are given out again in
@@ -7,9 +7,10 @@
 use super::removal;
 use super::sight;
 use super::{ConstraintId, LiveTriangulation};
-use crate::constrained::{Ahead, Edge};
+use crate::constrained::{Ahead, Draft, Edge};
 use crate::delaunay::insert;
 use crate::locate::Location;
+use crate::predicates::Orientation;
 use crate::{HalfEdgeId, Point, VertexId};
 
 /// What has been done, and what it takes to undo it.
@@ -17,6 +18,7 @@ use crate::{HalfEdgeId, Point, VertexId};
 pub(super) enum Step {
     Inserted(VertexId),
     Removed(VertexId, Point),
+    Moved(VertexId, Point),
     Constrained(ConstraintId),
     Released(ConstraintId, [VertexId; 2]),
 }
@@ -24,8 +26,7 @@ pub(super) enum Step {
 impl LiveTriangulation {
     /// Makes a vertex of a finite point, or returns the one that lies there.
     pub(super) fn put_in(&mut self, point: Point) -> Result<VertexId, VertexId> {
-        // Adding zero turns −0.0 into 0.0.
-        let point = Point::new(point.x + 0.0, point.y + 0.0);
+        let point = normal(point);
         let at = self.locate(point);
         if let Some(Location::Vertex(there)) = at {
             return Err(there);
@@ -76,6 +77,45 @@ impl LiveTriangulation {
         self.journal.push(Step::Removed(v, point));
     }
 
+    /// Moves a vertex, in which no constraint ends and no two cross, to a vacant place.
+    pub(super) fn relocate(&mut self, v: VertexId, at: Point) {
+        let before = self.draft.point(v);
+        let noted = self.journal.len();
+        if self.stays_within_star(v, at) {
+            self.relocate_within_star(v, normal(at));
+        } else {
+            self.take_out(v);
+            let back = self.put_in(at);
+            debug_assert_eq!(back, Ok(v), "bug: its id was given out last");
+        }
+        self.journal.truncate(noted);
+        self.journal.push(Step::Moved(v, before));
+    }
+
+    /// Tells whether the star of a vertex would still consist of triangles if it lay at `at`, and no edge
+    /// has to stay where it is.
+    fn stays_within_star(&self, v: VertexId, at: Point) -> bool {
+        let draft = &self.draft;
+        draft.star(v).all(|h| {
+            let is_finite = !draft.mesh.dest(h).is_infinite();
+            is_finite
+                && !draft.marks.is_constrained(h)
+                && !draft.mesh.apex(h).is_infinite()
+                && draft.side_of(h.next(), at) == Orientation::Left
+        })
+    }
+
+    /// Moves a vertex and leaves its edges, which may have to be flipped then, as may those around it.
+    fn relocate_within_star(&mut self, v: VertexId, at: Point) {
+        self.places.remove(self.draft.point(v));
+        self.places.insert(at, v);
+        self.draft.set_point(v, at);
+        let suspects = &mut self.room.suspects;
+        suspects.clear();
+        suspects.extend(self.draft.star(v).flat_map(|h| [h, h.next()]));
+        self.draft.settle(suspects);
+    }
+
     /// Adds a constraint between different vertices, which must cross no other.
     pub(super) fn constrain(&mut self, ends: [VertexId; 2]) -> ConstraintId {
         let id = self.constraints.add(ends);
@@ -123,6 +163,7 @@ impl LiveTriangulation {
                     let back = self.put_in(point);
                     debug_assert_eq!(back, Ok(v), "bug: its id was given out last");
                 }
+                Step::Moved(v, point) => self.relocate(v, point),
                 Step::Constrained(id) => {
                     let ends = self.constraints.ends(id).expect("bug: it was added");
                     self.release(id, ends);
@@ -157,9 +198,14 @@ impl LiveTriangulation {
     }
 }
 
+/// Turns −0.0 into 0.0, which is the same place.
+fn normal(p: Point) -> Point {
+    Point::new(p.x + 0.0, p.y + 0.0)
+}
+
 /// Visits the half-edges along the straight chain from one vertex to another.
 pub(super) fn half_edges_along(
-    draft: &crate::constrained::Draft,
+    draft: &Draft,
     [a, b]: [VertexId; 2],
 ) -> impl Iterator<Item = HalfEdgeId> + '_ {
     let mut at = a;

@@ -126,3 +126,95 @@ fn slides(draft: &Draft, h: HalfEdgeId) -> bool {
     let [v, a, b] = [v, a, b].map(|w| draft.point(w));
     is_between(a, b, v)
 }
+
+#[cfg(test)]
+mod tests {
+    //! In unit tests every second hole is refilled in bulk.
+
+    use crate::edit::LiveTriangulation;
+    use crate::{ConstrainedDelaunay, Pslg, VertexId, triangulate};
+
+    fn v(i: usize) -> VertexId {
+        VertexId::new(i)
+    }
+
+    fn live(points: &[(f64, f64)]) -> LiveTriangulation {
+        LiveTriangulation::from(&triangulate(points.iter().copied()).expect("finite points"))
+    }
+
+    fn rim(k: u32) -> Vec<(f64, f64)> {
+        let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(k);
+        (0..k).map(|i| (angle(i).cos(), angle(i).sin())).collect()
+    }
+
+    #[test]
+    fn a_wheel_loses_its_hub() {
+        for k in 3..40 {
+            let rim = rim(k);
+            let mut points = rim.clone();
+            points.push((0.25, 0.125));
+            let mut live = live(&points);
+            live.remove(v(points.len() - 1)).expect("a vertex");
+            live.mesh().validate().expect("a sphere");
+            assert_eq!(live.hash(), triangulate(rim).unwrap().hash(), "{k} spokes");
+        }
+    }
+
+    #[test]
+    fn a_hub_on_a_constraint_leaves_a_hole_in_two_parts() {
+        for k in (8..40).step_by(4) {
+            let rim = rim(k);
+            let mut points = rim.clone();
+            points.push((0.0, 0.0));
+            // From left to right, exactly through the hub.
+            points.extend([(-1.5, 0.0), (1.5, 0.0)]);
+            let [hub, left, right] = [0, 1, 2].map(|i| v(rim.len() + i));
+            let mut live = live(&points);
+            // On the circle these two lie on the line, but for rounding.
+            live.remove(v(0)).expect("a vertex");
+            live.remove(v(k as usize / 2)).expect("a vertex");
+            let id = live
+                .add_constraint(left, right)
+                .expect("nothing in the way");
+            assert_eq!(live.chain(id), Some(vec![left, hub, right]));
+            live.remove(hub).expect("a vertex");
+            live.mesh().validate().expect("a sphere");
+            let snapshot = live.snapshot();
+            let mut pslg = Pslg::from_points(
+                snapshot
+                    .triangulation
+                    .triangulation()
+                    .points()
+                    .iter()
+                    .copied(),
+            );
+            pslg.segments = snapshot.triangulation.segments().to_vec();
+            let fresh = ConstrainedDelaunay::new().triangulate(pslg).unwrap();
+            assert_eq!(live.hash(), fresh.triangulation().hash(), "{k} spokes");
+        }
+    }
+
+    /// Every star of a lattice, and every shape that is left on the way to nothing.
+    #[test]
+    fn a_lattice_is_taken_apart() {
+        for side in 2..8usize {
+            for step in [1, 5, 11, 13] {
+                let points: Vec<_> = (0..side * side)
+                    .map(|i| ((i % side) as f64, (i / side) as f64))
+                    .collect();
+                let mut live = live(&points);
+                for i in 0..points.len() {
+                    let victim = (i + 1) * step * side.pow(2).next_power_of_two() / 7;
+                    let nth = victim % live.num_vertices();
+                    let victim = live.vertices().nth(nth).expect("some are left");
+                    live.remove(victim).expect("a vertex");
+                    live.mesh().validate().expect("a sphere");
+                    let left: Vec<_> = live.vertices().filter_map(|v| live.point(v)).collect();
+                    let fresh = triangulate(left).unwrap();
+                    assert_eq!(live.hash(), fresh.hash());
+                    assert_eq!(live.mesh().num_faces(), fresh.mesh().num_faces());
+                }
+            }
+        }
+    }
+}
