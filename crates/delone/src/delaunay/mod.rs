@@ -18,6 +18,7 @@ mod gather;
 mod group;
 mod incremental;
 mod input;
+mod insertion;
 mod knit;
 mod leaf;
 mod pair;
@@ -27,6 +28,7 @@ mod signs;
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
+pub(crate) use insertion::{Growing, insert};
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 
