@@ -1,8 +1,8 @@
 //! Cutting one cell: chains of the boundary and pieces of the cell's own border, put together.
 //!
 //! Where the level rises and where it falls again are matched as parentheses are, relative to the level
-//! that the cell has all around. Should it be −1 or 2 somewhere, they are matched backwards or nested: what
-//! one cell then gets too much, its neighbour gets too little, and areas still add up.
+//! that the cell has all around. Where a sharp corner of the boundary falls on a vertex of the diagram, it may
+//! be −1 or 2 in that place; there they are matched backwards or nested, around nothing.
 
 use super::diagram::AT_INFINITY;
 use super::measure::Moments;

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! Along an edge crossings are sorted by their coordinates, which rounding may make equal, but does not
-//! exchange. Of those in one place the order is chosen so that levels stay 0 and 1.
+//! exchange. Of those in one place the order is chosen so that levels stay 0 and 1, if it can be.
 //!
 //! *Cost*: O(n + k log k) for n cells and k crossings.
 
