@@ -52,6 +52,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "memory",
             "parallel",
             "order",
+            "pace",
         ],
     ),
     (

@@ -2,7 +2,7 @@
 //! every edit.
 //!
 //! ```text
-//! point ── places ──> a vertex close by ── sight ──> where it lies ── insert ──> flips around it
+//! point ── places ──> a vertex close by ── walk ──> where it lies ── insert ──> flips around it
 //! vertex ── removal ──> star flattened, contracted, made constrained Delaunay
 //! constraint ── sight ──> nothing in the way? ── corridor ──> its two sides triangulated anew
 //! each ── primitive ──> a journal, by which edits that fail, and transactions, are undone

@@ -145,9 +145,10 @@ impl<'t> Locator<'t> {
             last.ahead.read(self.triangulation, end.triangle());
             location
         };
+        let watched = (watch, Phase::Query);
         plane
             .spread
-            .answer(points, self.threads, watch, Trail::default, answer)
+            .answer(points, self.threads, watched, Trail::default, answer)
     }
 
     /// Tells whether it is a few triangles only from the edge of `h` to `p`, as far as its length tells.

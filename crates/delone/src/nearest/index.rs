@@ -1,7 +1,8 @@
 //! Nearest neighbours of any points, one by one or many at once.
 
-use super::graph::{Graph, is_delaunay};
+use super::graph::Graph;
 use super::search::Scratch;
+use crate::delaunay::of_vertices;
 use crate::locate::{Spread, Tree, check_finite};
 use crate::pace::Pace;
 use crate::{Delaunay, Error, Phase, Point, Triangulation, VertexId, Watch};
@@ -43,11 +44,7 @@ impl Nearest {
     ///
     /// *Cost*: linear, about half of triangulating, and a triangulation more if one is to be built.
     pub fn new(triangulation: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
-        if is_delaunay(triangulation, watch)? {
-            Self::on(triangulation, watch)
-        } else {
-            Self::of_points(triangulation.points().iter().copied(), watch)
-        }
+        Self::on(&*of_vertices(triangulation, watch)?, watch)
     }
 
     /// Prepares for queries about points, which are triangulated for it.
@@ -223,7 +220,8 @@ impl Nearest {
             *last = Some(nearest);
             answer(p, nearest, scratch)
         };
-        spread.answer(points, self.threads, watch, begin, answer_next)
+        let watched = (watch, Phase::Query);
+        spread.answer(points, self.threads, watched, begin, answer_next)
     }
 
     fn name(&self, v: u32) -> VertexId {
