@@ -521,6 +521,30 @@ fn a_hub_with_many_spokes_comes_and_goes() {
     assert_eq!(live.hash(), t.hash());
 }
 
+/// Two smooth curves that face each other across a chord: flips alone would take seconds.
+#[test]
+fn a_chord_between_curves_comes_and_goes() {
+    let n = 8000;
+    let arc = |i: i32| {
+        let x = f64::from(i) / f64::from(n);
+        (x, 0.01 + 0.3 * x * (1.0 - x))
+    };
+    let mut points: Vec<_> = (1..n).map(arc).collect();
+    points.extend((1..n).map(arc).map(|(x, y)| (x + 1e-6, -y)));
+    points.extend([(0.0, 0.0), (1.1, 0.0)]);
+    let [a, b] = [2, 1].map(|k| v(points.len() - k));
+    let t = triangulate(points).expect("finite");
+    let mut live = LiveTriangulation::from(&t);
+    let chord = live.add_constraint(a, b).expect("free");
+    assert_ne!(live.hash(), t.hash());
+    require_canonical(&live);
+    assert_eq!(live.remove_constraint(chord), Ok([a, b]));
+    assert_eq!(live.hash(), t.hash());
+    // What was made from scratch goes on like any other.
+    live.remove(a).expect("a vertex");
+    require_canonical(&live);
+}
+
 #[test]
 fn a_large_one_stays_canonical() {
     let points = Kind::Uniform.points(20_000, 7);

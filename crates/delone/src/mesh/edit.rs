@@ -1,6 +1,6 @@
 //! The edits: the only places where corners and twins are rewritten.
 //!
-//! Each edit keeps the structure a closed sphere and costs constant time. None asks where a vertex
+//! Each edit keeps the structure a closed sphere and costs constant time, but for one that says so. None asks where a vertex
 //! lies, so each works on ghosts as on triangles: letters in the pictures may stand for the vertex
 //! at infinity. The caller answers for geometry, these functions for topology.
 //!

@@ -355,7 +355,7 @@ impl Model {
         let constraints = self.constraints.iter().map(|(&id, &ends)| (id, Some(ends)));
         expect(ids.eq(constraints), "the constraints", &"are others")?;
         live.mesh().validate().map_err(|e| e.to_string())?;
-        let fresh = self.from_scratch()?;
+        let fresh = self.made_anew()?;
         let t = fresh.triangulation();
         let faces = [live.mesh(), t.mesh()].map(delone::Mesh::num_faces);
         expect(faces[0] == faces[1], "the number of faces", &faces)?;
@@ -365,7 +365,7 @@ impl Model {
         compare_stars(live)
     }
 
-    fn from_scratch(&self) -> Result<ConstrainedTriangulation, String> {
+    fn made_anew(&self) -> Result<ConstrainedTriangulation, String> {
         let names: Vec<_> = self.points.keys().copied().collect();
         let mut pslg = Pslg::from_points(self.points.values().copied());
         for &ends in self.constraints.values() {
