@@ -17,7 +17,7 @@ impl LiveTriangulation {
     /// What was constrained in it, or carved away, is forgotten: the result is the Delaunay
     /// triangulation of the vertices. [`from_constrained`](Self::from_constrained) keeps constraints.
     ///
-    /// *Cost*: O(n log n), about a microsecond for each vertex of a million.
+    /// *Cost*: O(n log n), about 0.2 µs for each vertex of a million.
     pub fn from_triangulation(t: &Triangulation) -> Self {
         let mut live = Self::of(draft_of(t), slots_of(t), Constraints::default());
         let mesh = live.mesh();
@@ -33,7 +33,7 @@ impl LiveTriangulation {
     /// it lie exactly upon it; else, as where segments cross or were refined and coordinates had to be
     /// rounded, one for each edge along it; none if it has no length. What was carved away comes back.
     ///
-    /// *Cost*: O(n log n), about a microsecond for each vertex and segment of a million.
+    /// *Cost*: O(n log n) for n vertices and edges of segments.
     pub fn from_constrained(t: &ConstrainedTriangulation) -> (Self, Vec<Range<usize>>) {
         let triangulation = t.triangulation();
         let mut chains = Vec::new();
