@@ -29,9 +29,10 @@ impl LiveTriangulation {
 
     /// Takes over points and segments of a domain, or of a refined mesh. Vertices keep their numbers.
     ///
-    /// Also returns the [numbers](super::ConstraintId::new) of the constraints of each segment: one with the segment's ends, if all vertices along
-    /// it lie exactly upon it; else, as where segments cross or were refined and coordinates had to be
-    /// rounded, one for each edge along it; none if it has no length. What was carved away comes back.
+    /// Also returns the [numbers](super::ConstraintId::new) of the constraints of each segment: one with
+    /// the segment's ends, if all vertices along it lie exactly upon it; else, as where segments cross or
+    /// were refined and coordinates had to be rounded, one for each edge along it; none if it has no
+    /// length. What was carved away comes back.
     ///
     /// *Cost*: O(n log n) for n vertices and edges of segments.
     pub fn from_constrained(t: &ConstrainedTriangulation) -> (Self, Vec<Range<usize>>) {
