@@ -73,6 +73,7 @@
 //!
 //! - [`triangulate`], [`Delaunay`]: a whole point set, on several threads, watched if you like;
 //!   [`delaunay::Incremental`]: point by point.
+//! - [`edit::LiveTriangulation`]: vertices and constraints that come, go and move, with transactions.
 //! - [`Pslg`], [`ConstrainedDelaunay`]: a domain; [`ConstrainedTriangulation`]: its triangles and
 //!   constrained edges, the regions, and the lineage of vertices and segments.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;

@@ -254,8 +254,8 @@ impl LiveTriangulation {
     /// # Errors
     /// [`EditError::NoConstraint`].
     ///
-    /// *Cost*: in practice linear in the edges that come back; quadratic at worst. *Ids invalidated*:
-    /// half-edges and faces; the constraint's may be given out again.
+    /// *Cost*: in practice linear in the edges that come back; at worst that of the triangulation from
+    /// scratch. *Ids invalidated*: half-edges and faces; the constraint's may be given out again.
     pub fn remove_constraint(&mut self, id: ConstraintId) -> Result<[VertexId; 2], EditError> {
         let constraint = id;
         let ends = self.constraints.ends(id);
