@@ -84,7 +84,11 @@
 //! - [`regular`]: points with weights, their triangulation, and hidden points.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
 //! - [`locate`]: the triangle of a point. [`nearest`]: the nearest vertices, the k nearest, those within a
-//!   radius. [`predicates`]: the exact signs.
+//!   radius. [`proximity`]: closest pair, spanning tree, clusters, neighbourhood graphs, alpha shapes, empty
+//!   circles, tours.
+//! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
+//!   vertices, gradients, rasters, contour lines.
+//! - [`predicates`]: the exact signs.
 //!
 //! # Features
 //!

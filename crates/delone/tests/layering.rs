@@ -137,7 +137,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "watch",
             "parallel",
             "pace",
-            "nearest",
+            "order",
         ],
     ),
     (

@@ -4,7 +4,6 @@ use super::graph::Graph;
 use super::search::Scratch;
 use crate::delaunay::of_vertices;
 use crate::locate::{Spread, Tree, check_finite};
-use crate::pace::Pace;
 use crate::{Delaunay, Error, Phase, Point, Triangulation, VertexId, Watch};
 
 /// Finds the vertices of a triangulation that are nearest to a point.
@@ -27,8 +26,6 @@ pub struct Nearest {
     graph: Graph,
     /// Where to begin; `None` if there are no vertices.
     entrance: Option<(Tree, Spread)>,
-    /// How many points there are, with those that equal others.
-    num_points: usize,
     threads: Option<usize>,
 }
 
@@ -70,7 +67,6 @@ impl Nearest {
         Ok(Self {
             graph,
             entrance,
-            num_points: t.points().len(),
             threads: None,
         })
     }
@@ -166,24 +162,6 @@ impl Nearest {
         self.all(points, watch, |p, nearest, scratch| {
             self.graph.within(p, nearest, radius, scratch)
         })
-    }
-
-    /// Finds for each point of the input the nearest other vertex, of several the one of lowest index.
-    /// `None` if there is no other, and for points that have no vertex, being equal to one of lower index.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`] if the watch says so.
-    ///
-    /// *Cost*: linear: a look at the neighbours of each vertex.
-    pub fn nearest_to_each(&self, watch: &dyn Watch) -> Result<Vec<Option<VertexId>>, Error> {
-        let mut pace = Pace::new(watch, Phase::Query, self.graph.names.len() as u64);
-        let mut answers = vec![None; self.num_points];
-        for (v, name) in (0..).zip(&self.graph.names) {
-            pace.step()?;
-            answers[name.index()] = self.graph.nearest_to_vertex(v);
-        }
-        pace.finish();
-        Ok(answers)
     }
 
     /// Answers one query from the vertex nearest to it.

@@ -12,6 +12,7 @@
 //! *Cost*: about 30 ns for a length and 60 ns for a circumradius in stage 1, about twice that in stage
 //! 2, 1 µs and more in big integers.
 
+use super::crossing::power_of_two;
 use super::double::Double;
 use super::polynomial::{cross, dot};
 use super::quotient::{Root, upward};
@@ -31,10 +32,6 @@ const LENGTH_BOUND: f64 = power_of_two(-100);
 /// adds 32u². Half of these 103u²·q pass the root, which adds 16u²: 68u²·q. Terms of order q²u⁴ and the
 /// roundings of the bound find room in twice that, since q < 2⁴⁰.
 const RADIUS_BOUND: f64 = power_of_two(-98);
-
-const fn power_of_two(e: i32) -> f64 {
-    f64::from_bits(((1023 + e) as u64) << 52)
-}
 
 /// Returns the length of a segment, rounded up, and which stage found it.
 pub(super) fn length([a, b]: [Point; 2]) -> (f64, Stage) {
