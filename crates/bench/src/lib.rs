@@ -6,7 +6,7 @@
 //! - [`job`]: what a child process does; [`process`]: how it is run and what becomes of it.
 //! - [`plan`]: which cells are checked and timed, in which order.
 //! - [`report`]: tables in Markdown, everything in JSON; [`machine`]: what they must state.
-//! - [`refine`]: the same for refinement.
+//! - [`refine`]: the same for refinement; [`queries`]: the same for queries.
 //!
 //! **Discipline.** Every triangulation that counts as *fresh* has a process of its own, on the same
 //! input for all engines; some warm-up processes are discarded, the median of the others counts,
@@ -22,6 +22,7 @@ pub mod machine;
 pub mod measure;
 pub mod plan;
 pub mod process;
+pub mod queries;
 pub mod refine;
 pub mod report;
 pub mod stats;

@@ -1,5 +1,6 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
+mod queries_command;
 mod refine_command;
 
 use clap::{Args, Parser, Subcommand};
@@ -35,12 +36,17 @@ enum Action {
     Profile(Profile),
     /// Measures refinement of outlines to meshes
     Refine(refine_command::Options),
+    /// Measures queries: where points lie, what is nearest to them
+    Queries(queries_command::Options),
     /// Does one job in this process and prints what it found as JSON; the table maker calls this
     #[command(hide = true)]
     Job(Job),
     /// The same for refinement
     #[command(hide = true)]
     MeshJob(delone_bench::refine::job::Job),
+    /// The same for queries
+    #[command(hide = true)]
+    QueryJob(delone_bench::queries::job::Job),
 }
 
 #[derive(Args)]
@@ -106,8 +112,10 @@ fn main() -> ExitCode {
         None => print_tables(options),
         Some(Action::Profile(profile)) => print_profile(&profile),
         Some(Action::Refine(options)) => refine_command::print_tables(options, command()),
+        Some(Action::Queries(options)) => queries_command::print_tables(options, command()),
         Some(Action::Job(job)) => print_answer(job.run()),
         Some(Action::MeshJob(job)) => print_answer(job.run()),
+        Some(Action::QueryJob(job)) => print_answer(job.run()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -503,12 +503,64 @@ fn six_nodes_are_written_and_checked() {
 }
 
 #[test]
+fn the_voronoi_diagram_has_the_numbers_of_triangles_and_edges() {
+    // Three points and one in the middle: the triangles' circles, and three rays.
+    let folder = with("t.node", "4 2 1 0\n1 0 0 0\n2 8 0 8\n3 4 8 4\n4 4 3 4\n");
+    folder.run("triangle -veQ t", 0);
+    assert_eq!(
+        folder.names(),
+        [
+            "t.1.edge",
+            "t.1.ele",
+            "t.1.node",
+            "t.1.v.edge",
+            "t.1.v.node",
+            "t.node"
+        ]
+    );
+    let [vertices, edges] = ["t.1.v.node", "t.1.v.edge"].map(|name| rows(&folder, name));
+    let corners = rows(&folder, "t.1.ele");
+    assert_eq!((vertices.len(), edges.len()), (3, 6));
+    let points = [[0.0, 0.0], [8.0, 0.0], [4.0, 8.0], [4.0, 3.0]];
+    for (vertex, triangle) in vertices.iter().zip(&corners) {
+        let [x, y] = [vertex[1], vertex[2]];
+        let distances = triangle[1..].iter().map(|&v| {
+            let [px, py] = points[v as usize - 1];
+            (px - x).hypot(py - y)
+        });
+        let distances: Vec<f64> = distances.collect();
+        assert!(distances.iter().all(|d| (d - distances[0]).abs() < 1e-12));
+        // The attribute is x, and linear.
+        assert!((vertex[3] - x).abs() < 1e-12);
+    }
+    let ends = rows(&folder, "t.1.edge");
+    for (edge, of_mesh) in edges.iter().zip(&ends) {
+        let [a, b] = [1, 2].map(|k| points[of_mesh[k] as usize - 1]);
+        let along = match edge[2] {
+            -1.0 => [edge[3], edge[4]],
+            to => {
+                let [from, to] = [edge[1], to].map(|v| &vertices[v as usize - 1]);
+                [to[1] - from[1], to[2] - from[2]]
+            }
+        };
+        let dot = along[0] * (b[0] - a[0]) + along[1] * (b[1] - a[1]);
+        assert!(dot.abs() < 1e-12, "{edge:?} {of_mesh:?}");
+        if edge[2] == -1.0 {
+            // Outwards: away from the point in the middle.
+            let [x, y] = [a[0] - points[3][0], a[1] - points[3][1]];
+            assert!(along[0] * x + along[1] * y > 0.0);
+        }
+    }
+    folder.run("triangle -vNEQ t", 0);
+    assert!(folder.names().contains(&"t.1.v.edge".to_owned()));
+}
+
+#[test]
 fn what_cannot_be_done_is_said() {
     let folder = with("s.poly", SQUARE);
     for (line, code, words) in [
         ("triangle", 2, vec!["Usage: delone triangle [-prq"]),
         ("triangle -p", 2, vec!["no file is named"]),
-        ("triangle -pv s", 2, vec!["Voronoi"]),
         ("triangle -pq60 s", 2, vec!["-q60", "below 60"]),
         ("triangle -p --json s", 2, vec!["--json", "-Q is for quiet"]),
         ("triangle -p nowhere", 3, vec!["nowhere.poly"]),

@@ -170,6 +170,11 @@ impl Format {
         matches!(self, Self::Poly | Self::GeoJson | Self::Svg | Self::Png)
     }
 
+    /// Tells whether [`write_cells`](crate::write_cells) can write the format.
+    pub const fn writes_cells(self) -> bool {
+        matches!(self, Self::GeoJson | Self::Vtu | Self::Svg | Self::Png)
+    }
+
     /// Tells whether [`write_report`](crate::write_report) can write the format.
     pub const fn writes_report(self) -> bool {
         matches!(self, Self::Svg | Self::Png | Self::Html)

@@ -5,10 +5,14 @@
 //! geometries are skipped. Coordinates are taken as those of the plane. A polygon that is written keeps
 //! the direction of its rings.
 
+mod cells;
+mod contours;
 mod object;
 mod read;
 mod tree;
 mod write;
 
+pub(crate) use cells::write_cells;
+pub(crate) use contours::write_contours;
 pub(crate) use read::{read_domain, sniff};
 pub(crate) use write::{write_domain, write_mesh};

@@ -14,14 +14,18 @@
 //! | `.node`, `.ele` (Triangle) | read | points | read, with `.poly` | both |
 //! | `.edge`, `.neigh` (Triangle) | | | | mesh |
 //! | `.area` (Triangle) | | | [`read_areas`] | |
+//! | `.v.node`, `.v.edge` (Triangle) | | | | [mesh](WriteOptions::voronoi) |
 //! | `.poly` (Triangle) | read | read | beside `.ele` | domain; mesh with its family |
-//! | `.geojson` (RFC 7946) | read | read | | domain, mesh |
+//! | `.geojson` (RFC 7946) | read | read | | domain, mesh, contour lines |
 //! | `.wkt` (well-known text) | read | read | | |
-//! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both |
+//! | `.npy` (NumPy) | read | points | read, with `.points.npy` | both, raster |
 //! | `.csv`, `.tsv`, `.txt`, `.xyz` … | read | points | | points |
 //! | `.vtu` (VTK, ParaView) | read | points | read | both |
+//! | `.asc` (ESRI's ASCII grid) | | | | raster |
 //! | `.svg`, `.png` | | | | all, report |
 //! | `.html` | | | | report |
+//!
+//! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`.
 //!
 //! Points become a mesh:
 //!
@@ -67,7 +71,9 @@
 //! ```
 
 mod areas;
+mod asc;
 mod cancel;
+mod cells;
 mod constraints;
 mod domain;
 mod edge;
@@ -85,6 +91,7 @@ mod picture;
 mod png;
 mod points;
 mod poly;
+mod relief;
 mod report;
 mod scan;
 mod shapes;
@@ -97,12 +104,14 @@ mod topology;
 mod triangle_files;
 mod unfinished;
 mod unmet;
+mod voronoi;
 mod vtu;
 mod wkt;
 pub mod words;
 mod write;
 
 pub use areas::read_areas;
+pub use cells::CellsView;
 pub use constraints::Constraints;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
@@ -110,9 +119,12 @@ pub use format::Format;
 pub use inherit::Inherited;
 pub use mesh::{MeshData, MeshView, read_mesh};
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
+pub use relief::{Relief, ReliefOptions, write_relief};
 pub use report::{ReportOptions, write_report};
 pub use source::Source;
 pub use target::Target;
 pub use unfinished::discard_unfinished_files;
 pub use unmet::Explainer;
-pub use write::{PictureOptions, WriteOptions, write_domain, write_mesh, write_points};
+pub use write::{
+    PictureOptions, WriteOptions, write_cells, write_domain, write_mesh, write_points,
+};

@@ -4,6 +4,7 @@
 //! dots drawn over them by `tiny-skia`, all anti-aliased.
 
 use crate::picture::accumulate::Accumulator;
+use crate::picture::cells::{CellScene, color_of};
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke as GlyphStroke;
 use crate::picture::legend::legend;
@@ -44,18 +45,72 @@ pub(crate) fn draw_with_legend(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     Ok(page)
 }
 
+/// Draws Voronoi cells.
+pub(crate) fn write_cells(out: &mut Output<'_>, scene: &CellScene<'_>) -> Result<(), Error> {
+    let mut page = draw_cells(scene)?;
+    if let Some(legend) = scene.legend() {
+        draw_sheet(&mut page, &legend);
+    }
+    out.many_bytes(&pack(&page, scene.file, || scene.check())?)
+}
+
+/// Draws Voronoi cells without legend, and packs them.
+pub(crate) fn encode_cells(scene: &CellScene<'_>) -> Result<Vec<u8>, Error> {
+    pack(&draw_cells(scene)?, scene.file, || scene.check())
+}
+
+fn draw_cells(scene: &CellScene<'_>) -> Result<Pixmap, Error> {
+    let mut areas = Accumulator::new(scene.view.page);
+    let outline = scene.outline();
+    let mut lines = PathBuilder::new();
+    scene.each_part(|rings, class| {
+        for ring in rings {
+            // Holes run clockwise, and so take their area away.
+            areas.add(ring, color_of(class));
+            if outline.is_some() {
+                push_loop(&mut lines, ring);
+            }
+        }
+        Ok(())
+    })?;
+    let mut page = fill_page(areas, scene.view.page, || scene.check())?;
+    if let Some((width, opacity)) = outline {
+        let paint = paint(INK, opacity);
+        stroke_path(&mut page, lines.finish(), &paint, &round_stroke(width));
+    }
+    if let Some((dots, radius)) = scene.dots() {
+        for dot in dots {
+            scene.check()?;
+            draw_disc(&mut page, dot, radius, INK);
+        }
+    }
+    Ok(page)
+}
+
 /// Packs the pixels.
 pub(crate) fn encode(page: &Pixmap, scene: &Scene<'_>) -> Result<Vec<u8>, Error> {
+    pack(page, scene.file(), || scene.check())
+}
+
+/// Packs the pixels of the picture `file`; `check` fails if cancelled.
+pub(crate) fn pack(
+    page: &Pixmap,
+    file: &str,
+    check: impl Fn() -> Result<(), Error>,
+) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, page.width(), page.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    let broken = |e: &dyn std::fmt::Display| scene.error(e.to_string());
+    let broken = |e: &dyn std::fmt::Display| Error::Picture {
+        file: file.to_owned(),
+        reason: e.to_string(),
+    };
     let mut writer = encoder.write_header().map_err(|e| broken(&e))?;
     let mut rows = writer.stream_writer().map_err(|e| broken(&e))?;
     let mut row = Vec::new();
     for pixels in page.pixels().chunks(page.width() as usize) {
-        scene.check()?;
+        check()?;
         row.clear();
         row.extend(pixels.iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
         rows.write_all(&row).map_err(|e| broken(&e))?;
@@ -163,11 +218,20 @@ fn draw_areas(scene: &Scene<'_>) -> Result<Pixmap, Error> {
             areas.add(&disc(dot, radius), INK);
         }
     }
-    let [width, height] = scene.view.page.map(|v| v as u32);
+    fill_page(areas, scene.view.page, || scene.check())
+}
+
+/// Turns areas into pixels; `check` fails if cancelled.
+fn fill_page(
+    areas: Accumulator,
+    page: [f32; 2],
+    check: impl Fn() -> Result<(), Error>,
+) -> Result<Pixmap, Error> {
+    let [width, height] = page.map(|v| v as u32);
     let mut page = Pixmap::new(width, height).expect("bug: the page has a size");
     let mut colors = areas.into_pixels();
     for row in page.pixels_mut().chunks_mut(width as usize) {
-        scene.check()?;
+        check()?;
         for (pixel, color) in row.iter_mut().zip(&mut colors) {
             let [r, g, b] = color.bytes();
             *pixel = PremultipliedColorU8::from_rgba(r, g, b, u8::MAX).expect("bug: opaque");

@@ -4,6 +4,7 @@
 //! a pixel: about 20 bytes a triangle. Beyond [`MAX_SHAPES`] triangles no viewer is quick any more,
 //! and the drawing goes in as an embedded image of pixels; the legend stays lines.
 
+use crate::picture::cells::{CellScene, color_of};
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke;
 use crate::picture::legend::legend;
@@ -52,6 +53,64 @@ pub(crate) fn write_drawing(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(
     Ok(())
 }
 
+/// Draws Voronoi cells: those of one colour in one path, their outlines upon them.
+pub(crate) fn write_cells(out: &mut Output<'_>, scene: &CellScene<'_>) -> Result<(), Error> {
+    let [width, height] = scene.view.page;
+    out.text(format_args!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
+         <title>{} Voronoi cells</title>\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+        scene.number(),
+        PAPER.hex()
+    ))?;
+    if scene.number() > MAX_SHAPES {
+        write_pixels(out, scene.view.page, &png::encode_cells(scene)?)?;
+    } else {
+        write_cell_shapes(out, scene)?;
+    }
+    if let Some(legend) = scene.legend() {
+        write_sheet(out, &legend, &INK.hex())?;
+    }
+    out.text(format_args!("</svg>\n"))
+}
+
+fn write_cell_shapes(out: &mut Output<'_>, scene: &CellScene<'_>) -> Result<(), Error> {
+    let mut paths = vec![String::new(); CLASSES];
+    scene.each_part(|rings, class| {
+        for ring in rings {
+            push_move(&mut paths[class], ring[0]);
+            let pairs = ring.windows(2);
+            pairs.for_each(|pair| push_line(&mut paths[class], pair[0], pair[1]));
+            paths[class].push('z');
+        }
+        Ok(())
+    })?;
+    // Without outlines, a thin one of the same colour closes the seams.
+    let (width, opacity) = scene.outline().unwrap_or((0.5 * scene.unit, 1.0));
+    let has_outlines = scene.outline().is_some();
+    out.text(format_args!(
+        "<g fill-rule=\"evenodd\" stroke-width=\"{width:.2}\" stroke-opacity=\"{opacity:.2}\" stroke-linejoin=\"round\">\n"
+    ))?;
+    for (class, path) in paths.iter().enumerate() {
+        if path.is_empty() {
+            continue;
+        }
+        let fill = color_of(class);
+        let stroke = if has_outlines { INK } else { fill };
+        let [fill, stroke] = [fill, stroke].map(Color::hex);
+        out.text(format_args!(
+            "<path fill=\"{fill}\" stroke=\"{stroke}\" d=\""
+        ))?;
+        out.many_bytes(path.as_bytes())?;
+        out.text(format_args!("\"/>\n"))?;
+    }
+    out.text(format_args!("</g>\n"))?;
+    match scene.dots() {
+        Some((dots, radius)) => write_dots(out, dots.into_iter(), radius, INK),
+        None => Ok(()),
+    }
+}
+
 fn write_shapes(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
     write_triangles(out, scene)?;
     for (i, band) in scene.bands()?.iter().enumerate() {
@@ -75,8 +134,20 @@ fn write_shapes(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
 }
 
 fn write_image(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
-    let [width, height] = scene.view.page;
-    let image = BASE64_STANDARD.encode(png::encode(&png::draw(scene)?, scene)?);
+    write_pixels(
+        out,
+        scene.view.page,
+        &png::encode(&png::draw(scene)?, scene)?,
+    )
+}
+
+/// Embeds a PNG that fills the page.
+fn write_pixels(
+    out: &mut Output<'_>,
+    [width, height]: [f32; 2],
+    image: &[u8],
+) -> Result<(), Error> {
+    let image = BASE64_STANDARD.encode(image);
     out.text(format_args!(
         "<image width=\"{width}\" height=\"{height}\" href=\"data:image/png;base64,"
     ))?;

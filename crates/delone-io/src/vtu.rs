@@ -8,10 +8,12 @@
 //! that have several.
 
 mod array;
+mod cells;
 mod grid;
 mod read;
 mod write;
 
+pub(crate) use cells::write_cells;
 pub(crate) use read::{read_mesh, sniff};
 pub(crate) use write::write;
 
@@ -23,6 +25,9 @@ const TRIANGLE: u8 = 5;
 
 /// VTK's number for a line of two vertices.
 const LINE: u8 = 3;
+
+/// VTK's number for a polygon, which has no holes.
+const POLYGON: u8 = 7;
 
 /// VTK's number for a triangle with the midpoints of edge 01, 12 and 20.
 const QUADRATIC_TRIANGLE: u8 = 22;

@@ -1,8 +1,10 @@
 //! Writing: meshes here, points and domains in [`plain`], which files the targets mean in [`files`].
 
+mod cells;
 mod files;
 mod plain;
 
+pub use cells::write_cells;
 pub use plain::{write_domain, write_points};
 
 use crate::constraints::EdgeMarkers;
@@ -10,7 +12,7 @@ use crate::six_nodes::SixNodes;
 use crate::target::{Output, Staging};
 use crate::topology::Topology;
 use crate::{Error, MeshView, Target};
-use crate::{edge, ele, geojson, neigh, node, npy, png, poly, svg, vtu};
+use crate::{edge, ele, geojson, neigh, node, npy, png, poly, svg, voronoi, vtu};
 use delone::Watch;
 use files::{Content, OutFile};
 use std::borrow::Cow;
@@ -24,6 +26,9 @@ pub struct WriteOptions {
     /// Of the formats of Triangle, writes the file that is named and not those that go with it; a
     /// `.poly` then has no points.
     pub one_by_one: bool,
+    /// Writes also the Voronoi diagram of the triangles as Triangle does, to the files of this name with
+    /// `.v.node` and `.v.edge` behind it.
+    pub voronoi: Option<PathBuf>,
     /// Leaves markers out, in the formats of Triangle.
     pub without_markers: bool,
     /// How pictures look.
@@ -173,6 +178,8 @@ impl<'a> Prepared<'a> {
                 node::write(out, mesh, options.marking(&self.markers), base)?;
                 poly::write_graph(out, mesh, options.marking(&edge_markers.constrained), base)
             }
+            Content::VoronoiVertices => voronoi::write_vertices(out, mesh, base),
+            Content::VoronoiEdges => voronoi::write_edges(out, mesh, topology(), base),
             Content::NpyTriangles => npy::write_triangles(out, mesh),
             Content::NpyPoints => npy::write_points(out, mesh),
             Content::NpySegments => npy::write_segments(out, mesh, &edge_markers.constrained),

@@ -147,6 +147,89 @@ pub enum Error {
         /// The size given.
         given: f64,
     },
+    /// The weight of a point is NaN or infinite.
+    #[error("the weight of point {index} is {weight}: it must be finite; repair or remove it")]
+    BadWeight {
+        /// Index of the point.
+        index: usize,
+        /// The weight given.
+        weight: f64,
+    },
+    /// A radius or distance is negative or NaN, or infinite in a query for what lies within it.
+    #[error("a radius of {given} cannot be used: it must not be negative, nor infinite in a query")]
+    BadRadius {
+        /// The radius given.
+        given: f64,
+    },
+    /// A vertex was named that the triangulation does not have.
+    #[error("vertex {vertex} does not exist: there are {points} points")]
+    NoSuchVertex {
+        /// The vertex named.
+        vertex: VertexId,
+        /// Number of points.
+        points: usize,
+    },
+    /// A surface has not one value, or not one gradient, for each point.
+    #[error("{given} {what} given for {expected} points; each needs one")]
+    ValuesMissing {
+        /// Number of values given.
+        given: usize,
+        /// Number of points.
+        expected: usize,
+        /// Values, or gradients.
+        what: &'static str,
+    },
+    /// A value of a surface, or a gradient, is NaN or infinite.
+    #[error("the {what} at point {vertex} is {given}: it must be finite; repair or remove it")]
+    ValueNotFinite {
+        /// The point.
+        vertex: VertexId,
+        /// The value given.
+        given: f64,
+        /// Value, or gradient.
+        what: &'static str,
+    },
+    /// Two equal points have different values.
+    #[error(
+        "points {} and {} are equal, but their values are {} and {}; decide for one, or average them",
+        vertices[0], vertices[1], values[0], values[1]
+    )]
+    ValuesDiffer {
+        /// The points: the one that stands for both, and the other.
+        vertices: [VertexId; 2],
+        /// Their values.
+        values: [f64; 2],
+    },
+    /// Natural neighbours are asked of triangles that are not Delaunay.
+    #[error(
+        "the edge from point {} to point {} is neither Delaunay nor known as a constraint; hand over the \
+         constrained triangulation, not its triangles alone",
+        edge[0], edge[1]
+    )]
+    NotDelaunay {
+        /// The ends of an edge that is not.
+        edge: [VertexId; 2],
+    },
+    /// A raster has no cells, or cells of no size.
+    #[error("{what} of the raster is {given}: {must}")]
+    BadGrid {
+        /// What is wrong.
+        what: &'static str,
+        /// The number given.
+        given: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// A level of contour lines, or the interval between them, makes no sense.
+    #[error("the {what} of contour lines is {given}: {must}")]
+    BadLevel {
+        /// Level, interval, or number of levels.
+        what: &'static str,
+        /// The number given.
+        given: f64,
+        /// What it must be.
+        must: &'static str,
+    },
     /// A triangle names a point that does not exist.
     #[error("triangle {triangle} names point {vertex}, but there are {points} points")]
     BadTriangle {

@@ -73,6 +73,7 @@
 //!
 //! - [`triangulate`], [`Delaunay`]: a whole point set, on several threads, watched if you like;
 //!   [`delaunay::Incremental`]: point by point.
+//! - [`edit::LiveTriangulation`]: vertices and constraints that come, go and move, with transactions.
 //! - [`Pslg`], [`ConstrainedDelaunay`]: a domain; [`ConstrainedTriangulation`]: its triangles and
 //!   constrained edges, the regions, and the lineage of vertices and segments.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
@@ -80,8 +81,14 @@
 //! - [`Refinement`]: from a domain to a [`RefinedMesh`] of the [`Quality`] asked for, and its [`Report`];
 //!   [`sizing`](mod@sizing): how large triangles may be, place by place; [`Observer`]: algorithms at work, step
 //!   by step.
+//! - [`regular`]: points with weights, their triangulation, and hidden points.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
-//! - [`locate`]: the triangle of a point. [`predicates`]: the exact signs.
+//! - [`locate`]: the triangle of a point. [`nearest`]: the nearest vertices, the k nearest, those within a
+//!   radius. [`proximity`]: closest pair, spanning tree, clusters, neighbourhood graphs, alpha shapes, empty
+//!   circles, tours.
+//! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
+//!   vertices, gradients, rasters, contour lines.
+//! - [`predicates`]: the exact signs.
 //!
 //! # Features
 //!
@@ -91,20 +98,27 @@
 pub mod check;
 mod constrained;
 pub mod delaunay;
+pub mod edit;
 mod error;
 mod hash;
 pub mod locate;
 mod memory;
 pub mod mesh;
+pub mod nearest;
 mod observe;
+mod order;
 mod pace;
 mod parallel;
 mod point;
 pub mod predicates;
+pub mod proximity;
 mod pslg;
 mod quality;
 mod refine;
+pub mod regular;
+pub mod surface;
 mod triangulation;
+pub mod voronoi;
 mod watch;
 
 pub use constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Origin, Warning};

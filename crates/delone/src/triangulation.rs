@@ -25,6 +25,8 @@ pub struct Triangulation {
     /// Triangles, and finite faces that do not belong to the domain.
     num_finite: usize,
     duplicates: Vec<Duplicate>,
+    /// Points that have no vertex, other than duplicates.
+    num_hidden: usize,
     outgoing: OnceLock<Vec<Option<HalfEdgeId>>>,
 }
 
@@ -56,8 +58,14 @@ impl Triangulation {
             num_triangles,
             num_finite,
             duplicates,
+            num_hidden: 0,
             outgoing: OnceLock::new(),
         }
+    }
+
+    /// States that so many points are no vertices, without being listed as duplicates.
+    pub(crate) fn with_hidden(self, num_hidden: usize) -> Self {
+        Self { num_hidden, ..self }
     }
 
     /// Returns the points as the caller gave them, duplicates included.
@@ -79,9 +87,9 @@ impl Triangulation {
         &self.mesh
     }
 
-    /// Counts the distinct points.
+    /// Counts the distinct points; of a [regular triangulation](crate::regular), those not hidden.
     pub fn num_vertices(&self) -> usize {
-        self.points.len() - self.duplicates.len()
+        self.points.len() - self.duplicates.len() - self.num_hidden
     }
 
     /// Counts the triangles.
@@ -117,6 +125,11 @@ impl Triangulation {
     /// Tells whether some of the convex hull has been carved away.
     pub fn is_carved(&self) -> bool {
         self.num_triangles < self.num_finite
+    }
+
+    /// Counts the finite faces, carved ones included; behind them come the ghosts.
+    pub(crate) fn num_finite(&self) -> usize {
+        self.num_finite
     }
 
     /// Tells whether the face of `h` is one of the triangles.
@@ -189,7 +202,8 @@ impl Triangulation {
         }
     }
 
-    /// Returns a half-edge that starts at `v`, or `None` if `v` is a duplicate or the only vertex.
+    /// Returns a half-edge that starts at `v`, or `None` if `v` is a duplicate, hidden or the only
+    /// vertex.
     ///
     /// *Cost*: O(n) at the first call, then constant.
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {

@@ -23,8 +23,22 @@ pub enum Phase {
     Smooth,
     /// Renumbering into the caller's order.
     Export,
+    /// Making and clipping Voronoi cells.
+    Voronoi,
+    /// Relaxing points towards the centers of their cells; units are steps.
+    Relax,
+    /// Reading graphs off a triangulation; units are edges.
+    Proximity,
+    /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
+    Tour,
     /// Verifying a triangulation.
     Check,
+    /// Answering queries: where points lie, what is nearest to them.
+    Query,
+    /// Evaluating a surface at many points, or preparing that.
+    Interpolate,
+    /// Following contour lines.
+    Contour,
     /// Drawing a picture.
     Draw,
     /// Writing files.

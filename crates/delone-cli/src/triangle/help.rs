@@ -18,6 +18,8 @@ Refinement:
   -S100   at most 100 new vertices, those at crossings not counted; -S: none
 Output, as FILE.1.* (FILE.2.* of FILE.1.*):
   -e -n   also write .edge, .neigh
+  -v      also write the Voronoi diagram, .v.node and .v.edge: vertex and edge numbers are those of
+          .ele and .edge; a true one if the triangles are Delaunay (-D, or no segments)
   -A      a number for each triangle: the attribute of its region
   -o2     six nodes a triangle: the midpoints of its edges too
   -j      leave out vertices that no triangle has
@@ -33,7 +35,6 @@ Accepted, but nothing to choose here:
   -z      numbers begin as in the input, as in Triangle
 Refused:
   -u      no test of one's own: `delone mesh --sizing` takes a formula or a file of sizes
-  -v      no Voronoi diagram yet
   -g      no .off file: `delone convert FILE.1.ele FILE.vtu` for a viewer
 
 Examples:

@@ -41,6 +41,11 @@ impl Names {
         format!("{}.{extension}", self.input).into()
     }
 
+    /// Returns what the names of all files to be written begin with.
+    pub fn output_stem(&self) -> PathBuf {
+        self.output.clone().into()
+    }
+
     /// Returns the name of a file to be written.
     pub fn output(&self, extension: &str) -> PathBuf {
         format!("{}.{extension}", self.output).into()

@@ -45,6 +45,7 @@ impl Writer<'_> {
             one_based: self.one_based,
             one_by_one: true,
             without_markers: self.switches.no_markers,
+            voronoi: self.switches.voronoi.then(|| self.names.output_stem()),
             ..WriteOptions::default()
         };
         delone_io::write_mesh(&self.targets(), &view, &options, progress).map_err(files::unwritable)

@@ -44,6 +44,8 @@ pub struct Switches {
     pub edges: bool,
     /// `-n`.
     pub neighbors: bool,
+    /// `-v`: the Voronoi diagram.
+    pub voronoi: bool,
     /// `-P`.
     pub no_poly: bool,
     /// `-N`.
@@ -128,13 +130,14 @@ impl Switches {
             'B' => self.no_markers = true,
             'e' => self.edges = true,
             'n' => self.neighbors = true,
+            'v' => self.voronoi = true,
             'P' => self.no_poly = true,
             'N' => self.no_node = true,
             'E' => self.no_ele = true,
             'I' => self.in_place = true,
             'Q' => self.quiet = true,
             'i' | 'F' | 'l' | 's' | 'C' | 'X' | 'V' | 'z' => {}
-            'u' | 'v' | 'g' => return Err(usage(refusal(letter).to_owned())),
+            'u' | 'g' => return Err(usage(refusal(letter).to_owned())),
             _ => return Err(usage(format!("-{letter} is no switch of Triangle"))),
         }
         Ok(())
@@ -161,7 +164,6 @@ fn refusal(letter: char) -> &'static str {
             "-u: a test of one's own cannot be built in; `delone mesh --sizing` takes a formula or \
              a file of sizes"
         }
-        'v' => "-v: Voronoi diagrams are not written yet; leave it out",
         _ => {
             "-g: .off files are not written; convert the mesh, `delone convert FILE.1.ele FILE.vtu`"
         }
@@ -261,7 +263,7 @@ mod tests {
     fn every_switch_that_only_chooses_an_algorithm_is_accepted() {
         let (switches, _) = parse("-iFlsCXVVVz f").expect("switches");
         assert_eq!(switches, Switches::default());
-        let (switches, _) = parse("-cOAjBenPNEIQ f").expect("switches");
+        let (switches, _) = parse("-cOAjBenvPNEIQ f").expect("switches");
         let all = [
             switches.hull,
             switches.no_holes,
@@ -270,13 +272,14 @@ mod tests {
             switches.no_markers,
             switches.edges,
             switches.neighbors,
+            switches.voronoi,
             switches.no_poly,
             switches.no_node,
             switches.no_ele,
             switches.in_place,
             switches.quiet,
         ];
-        assert_eq!(all, [true; 12]);
+        assert_eq!(all, [true; 13]);
     }
 
     #[test]
@@ -292,7 +295,6 @@ mod tests {
             ("-pW f", "-W is no switch of Triangle"),
             ("-p° f", "-° is no switch"),
             ("-pu f", "delone mesh --sizing"),
-            ("-v f", "not written yet"),
             ("-g f", "delone convert"),
             ("-rI f", "-I and -r"),
             ("-p", "no file is named"),

@@ -122,20 +122,20 @@ fn loose_points(domain: &DomainData) -> impl Iterator<Item = VertexId> {
 }
 
 /// The features of a collection.
-struct List<'o, 'w> {
+pub(super) struct List<'o, 'w> {
     out: &'o mut Output<'w>,
     separator: &'static [u8],
 }
 
 impl<'o, 'w> List<'o, 'w> {
-    fn begin(out: &'o mut Output<'w>) -> Result<Self, Error> {
+    pub fn begin(out: &'o mut Output<'w>) -> Result<Self, Error> {
         out.bytes(b"{\"type\":\"FeatureCollection\",\"features\":[")?;
         let separator = b"\n";
         Ok(Self { out, separator })
     }
 
     /// Writes a feature; `fill` writes properties and geometry.
-    fn next(
+    pub fn next(
         &mut self,
         fill: impl FnOnce(&mut Output<'w>) -> Result<(), Error>,
     ) -> Result<(), Error> {
@@ -147,7 +147,7 @@ impl<'o, 'w> List<'o, 'w> {
         self.out.end_row()
     }
 
-    fn end(self) -> Result<(), Error> {
+    pub fn end(self) -> Result<(), Error> {
         self.out.bytes(b"\n]}\n")
     }
 }

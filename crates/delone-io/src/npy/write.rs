@@ -3,6 +3,7 @@
 use super::MAGIC;
 use crate::target::Output;
 use crate::{Error, MeshView};
+use delone::surface::Raster;
 
 /// Writes the triangles as `int32` (m, 3), or `int64` if there are too many vertices.
 pub(crate) fn write_triangles(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<(), Error> {
@@ -59,6 +60,19 @@ pub(crate) fn write_points(out: &mut Output<'_>, mesh: &MeshView<'_>) -> Result<
         }
         if let Some(markers) = mesh.markers {
             out.bytes(&f64::from(markers[i]).to_le_bytes())?;
+        }
+        out.end_row()?;
+    }
+    Ok(())
+}
+
+/// Writes a raster as `float64` (rows, columns), the top row first, NaN where there is no value.
+pub(crate) fn write_raster(out: &mut Output<'_>, raster: &Raster) -> Result<(), Error> {
+    let grid = raster.grid();
+    write_header(out, "<f8", grid.rows(), grid.columns())?;
+    for row in raster.rows() {
+        for value in row {
+            out.bytes(&value.to_le_bytes())?;
         }
         out.end_row()?;
     }

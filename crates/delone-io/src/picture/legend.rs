@@ -87,7 +87,7 @@ fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f32; 2]) {
 }
 
 /// Size of letters: digits are seven times as high.
-const TEXT: f32 = 2.1;
+pub(super) const TEXT: f32 = 2.1;
 
 /// A line of the legend below the scale.
 struct Entry {
@@ -143,7 +143,7 @@ fn short(number: f64) -> String {
 
 /// Returns the baselines of the title's two lines above a scale that begins at `top`: on the page
 /// even if the drawing is flat, and never upon each other.
-fn title_baselines(top: f32, unit: f32) -> [f32; 2] {
+pub(super) fn title_baselines(top: f32, unit: f32) -> [f32; 2] {
     let first = (top - 52.0 * unit).max(20.0 * unit);
     [first, first + 22.0 * unit]
 }

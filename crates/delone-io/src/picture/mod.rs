@@ -7,19 +7,20 @@
 
 pub(crate) mod accumulate;
 mod angle;
+pub(crate) mod cells;
 mod color;
 pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
+pub(crate) mod relief;
 pub(crate) mod sheet;
 mod view;
 
 pub(crate) use color::{Color, INK, PAPER, scale};
-pub(crate) use view::View;
+pub(crate) use view::{Page, View};
 
 use crate::{Error, MeshView, PictureOptions, cancel};
 use delone::{Phase, Point, VertexId, Watch};
-use view::Page;
 
 /// Classes of colour: angles are rounded to half degrees.
 pub(crate) const CLASSES: usize = 120;
@@ -56,6 +57,17 @@ pub(crate) struct EdgeClass {
     pub edges: Vec<[[f32; 2]; 2]>,
 }
 
+/// Refuses pictures that are too small or too large.
+fn require_size(file: &str, options: &PictureOptions) -> Result<(), Error> {
+    const SIZES: std::ops::RangeInclusive<u32> = 16..=8192;
+    if SIZES.contains(&options.size) {
+        return Ok(());
+    }
+    let reason = format!("size {} pixels: must be from 16 to 8192", options.size);
+    let file = file.to_owned();
+    Err(Error::Picture { file, reason })
+}
+
 /// Everything that is to be drawn, in pixels.
 pub(crate) struct Scene<'a> {
     file: &'a str,
@@ -77,14 +89,7 @@ impl<'a> Scene<'a> {
         options: &PictureOptions,
         watch: &'a dyn Watch,
     ) -> Result<Self, Error> {
-        const SIZES: std::ops::RangeInclusive<u32> = 16..=8192;
-        if !SIZES.contains(&options.size) {
-            let reason = format!("size {} pixels: must be from 16 to 8192", options.size);
-            return Err(Error::Picture {
-                file: file.to_owned(),
-                reason,
-            });
-        }
+        require_size(file, options)?;
         let legend = options.legend && !mesh.triangles.is_empty();
         let page = Page::new(options.size as f32, legend);
         let mut scene = Self {
@@ -106,10 +111,9 @@ impl<'a> Scene<'a> {
         Ok(scene)
     }
 
-    /// Makes an error that names the picture.
-    pub fn error(&self, reason: String) -> Error {
-        let file = self.file.to_owned();
-        Error::Picture { file, reason }
+    /// Returns the name of the picture, for messages.
+    pub fn file(&self) -> &'a str {
+        self.file
     }
 
     /// Reports that triangle `t` is done in this pass, now and then, and fails if cancelled.

@@ -75,6 +75,14 @@ impl View {
         Point::new(p.x * self.power, p.y * self.power)
     }
 
+    /// Tells whether a point lies within the drawing, and not beside it.
+    pub fn holds(&self, p: Point) -> bool {
+        let p = self.normalized(p);
+        let offsets = [p.x - self.center.x, p.y - self.center.y];
+        let [_, extent] = self.drawing;
+        (0..2).all(|k| (offsets[k] * self.pixels_per_unit).abs() <= f64::from(extent[k]) / 2.0)
+    }
+
     /// Returns where on the page a point lies, y down.
     pub fn place(&self, p: Point) -> [f32; 2] {
         let p = self.normalized(p);

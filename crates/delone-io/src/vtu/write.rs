@@ -148,7 +148,7 @@ fn attributes(out: &mut Output<'_>, attributes: &[Attribute], further: usize) ->
 }
 
 /// Writes an array of integers, if there is one, of which the number is known.
-fn integers(
+pub(super) fn integers(
     out: &mut Output<'_>,
     name: &str,
     values: Option<(impl Iterator<Item = i32>, usize)>,
@@ -160,7 +160,7 @@ fn integers(
 }
 
 /// Writes one array of `len` numbers of `N` bytes each.
-fn array<const N: usize>(
+pub(super) fn array<const N: usize>(
     out: &mut Output<'_>,
     kind: &str,
     name: &str,

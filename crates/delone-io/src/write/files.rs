@@ -2,7 +2,7 @@
 
 use crate::points::unsupported;
 use crate::{Error, Format, MeshView, Target, WriteOptions, poly};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// One file to be written, and what goes into it.
 #[derive(Debug, PartialEq, Eq)]
@@ -30,6 +30,9 @@ pub(super) enum Content {
     Vtu,
     Svg,
     Png,
+    /// Triangle's `.v.node` and `.v.edge`.
+    VoronoiVertices,
+    VoronoiEdges,
 }
 
 impl Content {
@@ -39,8 +42,8 @@ impl Content {
         let k = mesh.constraints.map_or(0, |c| c.edges.len());
         let rows = match self {
             Self::Node | Self::NpyPoints => n,
-            Self::Ele | Self::Neigh | Self::NpyTriangles => m,
-            Self::Edge => edges,
+            Self::Ele | Self::Neigh | Self::NpyTriangles | Self::VoronoiVertices => m,
+            Self::Edge | Self::VoronoiEdges => edges,
             Self::Poly | Self::NpySegments => k,
             Self::WholePoly => n + k,
             Self::GeoJson => m + k,
@@ -56,10 +59,12 @@ impl Content {
     pub fn needs_topology(self, mesh: &MeshView<'_>) -> bool {
         match self {
             Self::Node | Self::Edge | Self::Neigh | Self::Poly | Self::WholePoly => true,
+            Self::VoronoiEdges => true,
             Self::Vtu => mesh.is_quadratic || mesh.constraints.is_some(),
             Self::Ele => mesh.is_quadratic,
             Self::NpySegments | Self::GeoJson => mesh.constraints.is_some(),
             Self::NpyTriangles | Self::NpyPoints | Self::Svg | Self::Png => false,
+            Self::VoronoiVertices => false,
         }
     }
 }
@@ -95,7 +100,24 @@ pub(super) fn of_mesh(
             }
         }
     }
+    if let Some(stem) = &options.voronoi {
+        files.extend(of_voronoi(stem));
+    }
     Ok(files)
+}
+
+/// Names the two files of a Voronoi diagram.
+fn of_voronoi(stem: &Path) -> [OutFile; 2] {
+    [
+        (".v.node", Content::VoronoiVertices),
+        (".v.edge", Content::VoronoiEdges),
+    ]
+    .map(|(extension, content)| {
+        let mut name = stem.as_os_str().to_owned();
+        name.push(extension);
+        let path = Some(name.into());
+        OutFile { path, content }
+    })
 }
 
 /// Lists the files that one target means.

@@ -5,6 +5,9 @@
 //! a vertex from another; such edges are inserted. What then lies between rim and segment is the
 //! side's constrained Delaunay triangulation, which is unique.
 //!
+//! So is that of any other simple polygon; [holes](super::hole) use this, too, with one of their edges
+//! in the part of the segment.
+//!
 //! *Cost*: O(k log k) in practice for k vertices.
 
 use super::carve::flood;
@@ -93,9 +96,8 @@ impl Model {
 
     /// Makes the edges around the side constrained, inserting those of the rim that are missing.
     fn constrain_rim(&mut self, inserter: &mut Inserter) {
-        self.draft.constrain(self.base(), true);
         let mut missing = Vec::new();
-        for &[from, to] in &self.rim {
+        for &[from, to] in self.rim.iter().chain([&self.base_ends()]) {
             match self.draft.find_edge(from, to) {
                 Ok(h) => self.draft.constrain(h, true),
                 Err(ends) => missing.push(Edge { ends, is_odd: true }),
@@ -127,8 +129,13 @@ impl Model {
 
     /// The half-edge of the segment, towards the side.
     fn base(&self) -> HalfEdgeId {
+        let [from, to] = self.base_ends();
+        self.edge(from, to)
+    }
+
+    fn base_ends(&self) -> [VertexId; 2] {
         let [start, end] = [self.rim.first(), self.rim.last()].map(|e| *e.expect("bug: no rim"));
-        self.edge(end[1], start[0])
+        [end[1], start[0]]
     }
 
     fn edge(&self, from: VertexId, to: VertexId) -> HalfEdgeId {

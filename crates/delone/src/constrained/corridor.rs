@@ -29,18 +29,18 @@ use crate::{HalfEdgeId, TriangleId, VertexId};
 
 /// A segment cannot be inserted: it crosses one that has been.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Blocked;
+pub(crate) struct Blocked;
 
 /// Flips for each face of a corridor after which a side is triangulated in bulk: where flips get by at
 /// all, two or three are enough.
-const FLIPS_PER_FACE: usize = 32;
+pub(super) const FLIPS_PER_FACE: usize = 32;
 
 /// How deep bulk triangulations of sides may nest; each has fewer vertices than the one around it.
 const MAX_DEPTH: u32 = 8;
 
 /// Inserts segments; keeps the lists that it needs from one to the next.
-#[derive(Default)]
-pub(super) struct Inserter {
+#[derive(Clone, Default)]
+pub(crate) struct Inserter {
     /// The triangles of the corridor.
     faces: Vec<TriangleId>,
     left: Side,

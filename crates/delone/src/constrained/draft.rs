@@ -5,20 +5,21 @@ use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
 use crate::{HalfEdgeId, Mesh, Point, TriangleId, VertexId};
 
 /// Marks a vertex without half-edges: it was merged into another, or is the only one.
-const NOWHERE: HalfEdgeId = HalfEdgeId::new(u32::MAX as usize);
+pub(super) const NOWHERE: HalfEdgeId = HalfEdgeId::new(u32::MAX as usize);
 
 /// A constrained Delaunay triangulation in the making.
-pub(super) struct Draft {
+#[derive(Clone)]
+pub(crate) struct Draft {
     pub points: Vec<Point>,
     pub mesh: Mesh,
     pub marks: Marks,
     /// A half-edge that starts at each vertex.
-    outgoing: Vec<HalfEdgeId>,
+    pub(super) outgoing: Vec<HalfEdgeId>,
 }
 
 /// What lies ahead when one looks from a vertex towards a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ahead {
+pub(crate) enum Ahead {
     /// The edge of this half-edge, which starts at the vertex and runs exactly that way.
     Along(HalfEdgeId),
     /// The open edge of this half-edge, opposite the vertex: it starts to the right of the line of
@@ -130,23 +131,41 @@ impl Draft {
     #[must_use]
     pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
         while let Some(h) = suspects.pop() {
-            if !self.must_flip(h) {
+            let beyond = self.mesh.twin(h).triangle();
+            if !self.marks.is_in_corridor(beyond) || !self.must_flip(h) {
                 continue;
             }
             if budget == 0 {
                 return false;
             }
             budget -= 1;
-            self.flip(h);
-            let g = self.mesh.twin(h.next()).prev();
-            suspects.extend([h, h.prev(), g, g.prev()]);
+            self.flip_suspect(h, suspects);
         }
         true
     }
 
+    /// Flips edges, wherever they are, until all that `suspects` lead to are locally Delaunay or
+    /// constrained; false if that takes more than `budget` flips.
+    #[must_use]
+    pub fn settle(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
+        while let Some(h) = suspects.pop() {
+            let faces = [h, self.mesh.twin(h)].map(HalfEdgeId::triangle);
+            if faces.iter().any(|&t| self.mesh.is_ghost(t)) || !self.must_flip(h) {
+                continue;
+            }
+            if budget == 0 {
+                return false;
+            }
+            budget -= 1;
+            self.flip_suspect(h, suspects);
+        }
+        true
+    }
+
+    /// Tells whether the edge of `h`, between two triangles, is neither constrained nor locally Delaunay.
     fn must_flip(&self, h: HalfEdgeId) -> bool {
         let g = self.mesh.twin(h);
-        if self.marks.is_constrained(h) || !self.marks.is_in_corridor(g.triangle()) {
+        if self.marks.is_constrained(h) {
             return false;
         }
         let corners = [
@@ -159,18 +178,33 @@ impl Draft {
         in_circle_perturbed(a, b, c, d)
     }
 
+    /// Flips the edge of `h`, whose quadrilateral's sides become suspect.
+    fn flip_suspect(&mut self, h: HalfEdgeId, suspects: &mut Vec<HalfEdgeId>) {
+        self.flip(h);
+        let g = self.mesh.twin(h.next()).prev();
+        suspects.extend([h, h.prev(), g, g.prev()]);
+    }
+
     /// Flips the edge of `h`, and moves the marks of the edges whose half-edges change.
-    fn flip(&mut self, h: HalfEdgeId) {
+    pub fn flip(&mut self, h: HalfEdgeId) {
         let g = self.mesh.twin(h);
-        let [a, b] = [self.mesh.origin(h), self.mesh.dest(h)];
         let [bc, ad] = [h.next(), g.next()].map(|edge| self.marks.get(edge));
         self.mesh.flip(h);
         self.marks.set(h, ad);
         self.marks.set(g, bc);
         self.marks.set(h.next(), Mark::FREE);
         self.marks.set(g.next(), Mark::FREE);
-        self.outgoing[a.index()] = h;
-        self.outgoing[b.index()] = g;
+        self.note(h);
+        self.note(g);
+    }
+
+    /// Lets `h` be the half-edge by which its origin is found.
+    #[inline]
+    pub(super) fn note(&mut self, h: HalfEdgeId) {
+        let origin = self.mesh.origin(h);
+        if !origin.is_infinite() {
+            self.outgoing[origin.index()] = h;
+        }
     }
 
     /// Constrains the edge of `h`, along which run segments, an odd number of them or not.
@@ -178,6 +212,12 @@ impl Draft {
     pub fn constrain(&mut self, h: HalfEdgeId, is_odd: bool) {
         self.marks.add_segments(h, is_odd);
         self.marks.add_segments(self.mesh.twin(h), is_odd);
+    }
+
+    /// Lets no segment run along the edge of `h` any more.
+    pub fn release(&mut self, h: HalfEdgeId) {
+        self.marks.set(h, Mark::FREE);
+        self.marks.set(self.mesh.twin(h), Mark::FREE);
     }
 
     /// Tells on which side of the edge of `h` lies `p`; its face lies to the left.
@@ -189,7 +229,7 @@ impl Draft {
 
 /// What is known of one side of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Mark(u8);
+pub(crate) struct Mark(u8);
 
 impl Mark {
     pub const FREE: Self = Self(0);
@@ -198,7 +238,7 @@ impl Mark {
 /// The marks of all half-edges, a byte a face: bit k says that half-edge k is constrained, bit 3 + k
 /// that an odd number of segments runs along it. Bit 6 is set while the face is in a corridor.
 #[derive(Clone, Debug)]
-pub(super) struct Marks(Vec<u8>);
+pub(crate) struct Marks(Vec<u8>);
 
 /// The bit of faces in the corridor.
 const CORRIDOR: u8 = 1 << 6;
@@ -256,6 +296,16 @@ impl Marks {
     #[inline]
     pub fn leave_corridor(&mut self, t: TriangleId) {
         self.0[t.index()] &= !CORRIDOR;
+    }
+
+    /// Makes room for so many faces; new ones have no marks.
+    pub fn set_number(&mut self, faces: usize) {
+        self.0.resize(faces, 0);
+    }
+
+    /// Drops the marks of a face, and moves those of the last face into their place.
+    pub fn swap_remove(&mut self, t: TriangleId) {
+        self.0.swap_remove(t.index());
     }
 
     /// Hands out the bytes of all faces, of which the lower three bits say what is constrained.

@@ -3,9 +3,13 @@
 
 use super::ConstrainedTriangulation;
 use super::build::{Context, Faces};
+use super::draft::Draft;
+use super::names::Names;
+use super::result::Lineage;
 use crate::delaunay::rename;
 use crate::parallel::Workers;
-use crate::{Error, Mesh, Phase, TriangleId, Triangulation, VertexId, Watch};
+use crate::pslg::Chains;
+use crate::{Error, Mesh, Phase, Point, Pslg, TriangleId, Triangulation, VertexId, Watch};
 
 /// Puts the result together.
 pub(super) fn hand_out(
@@ -84,6 +88,44 @@ fn in_order(mesh: &Mesh, outside: &[bool], [carved, ghosts]: [usize; 2]) -> Vec<
         *place += 1;
     }
     order
+}
+
+/// Puts a result together from a draft that goes on being edited, nothing carved away. `callers` are the
+/// new numbers of its vertices; everything else is in their terms.
+pub(crate) fn hand_out_draft(
+    draft: &Draft,
+    callers: Vec<VertexId>,
+    points: Vec<Point>,
+    segments: Vec<[VertexId; 2]>,
+    chains: Chains,
+) -> ConstrainedTriangulation {
+    let mesh = draft.mesh.clone();
+    let faces = (0..mesh.num_faces()).map(TriangleId::new);
+    let faces = Faces {
+        outside: faces.map(|t| mesh.is_ghost(t)).collect(),
+        constrained: draft.marks.clone().into_bytes(),
+        region_of: Vec::new(),
+        mesh,
+    };
+    let lineage = Lineage {
+        num_segments: segments.len(),
+        chains,
+        ..Lineage::default()
+    };
+    let context = Context {
+        pslg: Pslg {
+            points,
+            segments,
+            ..Pslg::default()
+        },
+        names: Names {
+            callers,
+            ..Names::default()
+        },
+        lineage,
+        warnings: Vec::new(),
+    };
+    hand_out(faces, context, Workers::ONE, &()).expect("bug: nobody cancels")
 }
 
 /// Collects what belongs to each face in a new order; nothing stays nothing.

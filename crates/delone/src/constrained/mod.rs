@@ -23,6 +23,8 @@ mod draft;
 mod enrich;
 mod export;
 mod extend;
+mod grow;
+mod hole;
 mod holes;
 mod insert;
 mod lengthen;
@@ -34,8 +36,13 @@ mod segments;
 mod side;
 
 pub(crate) use build::{Context, Faces, Prepared, prepare};
+pub(crate) use corridor::Inserter;
+pub(crate) use draft::{Ahead, Draft};
 pub(crate) use enrich::{Additions, enrich};
+pub(crate) use export::hand_out_draft;
 pub(crate) use extend::{Steiner, extend};
+pub(crate) use hole::refill;
+pub(crate) use insert::Edge;
 pub(crate) use lengthen::{Cuts, NO_SEGMENT};
 pub use result::{ConstrainedTriangulation, Origin, Warning};
 

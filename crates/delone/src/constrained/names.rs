@@ -2,7 +2,8 @@
 
 use super::insert::{Cut, Edge};
 use super::segments::undirected;
-use crate::delaunay::{CurveParts, duplicates, sort_by_high_half};
+use crate::delaunay::{CurveParts, duplicates};
+use crate::order::sort_by_high_half;
 use crate::parallel::Workers;
 use crate::pslg::Chains;
 use crate::{Duplicate, VertexId, Watch};

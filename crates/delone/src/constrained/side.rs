@@ -6,7 +6,7 @@ use crate::{HalfEdgeId, TriangleId, VertexId};
 
 /// The edges along one side of a corridor: first in the order in which the segment passes them, in the
 /// end counter-clockwise about the side.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Side {
     pub rim: Vec<RimEdge>,
     /// The edges whose other side may still turn up on this rim, as a stack.
@@ -37,6 +37,7 @@ pub(super) enum Beyond {
 }
 
 /// A corner of the path that is left while ears are cut.
+#[derive(Clone, Copy)]
 struct Corner {
     vertex: VertexId,
     /// The edge from the corner before.

@@ -2,11 +2,11 @@
 
 use super::divide::Divide;
 use super::export;
-use super::frame::{Frame, split_power};
+use super::gather::{Ordered, order};
 use super::input::{self, Class, Extent};
-use super::order::{Ordered, Radix, order};
 use super::sheet::Sheet;
 use crate::memory::reserve;
+use crate::order::{Frame, Radix, split_power};
 use crate::parallel::Workers;
 use crate::{Error, HalfEdgeId, Mesh, Phase, Point, Triangulation, VertexId, Watch};
 

@@ -6,11 +6,11 @@
 //! free, and a merge at `mid` takes the left part's two. So the parts never share a slot, and run
 //! in parallel without locks; the tree depends on the keys alone, and so do the slots.
 
-use super::frame::{Axis, Frame};
 use super::group::{Regrouped, merge_equal, sort_in_own_box, sort_lexicographically};
 use super::knit::{HullVertex, merge};
 use super::leaf::{self, Hull, is_below, is_left_of};
 use super::sheet::Sheet;
+use crate::order::{Axis, Frame};
 use crate::parallel::Workers;
 use crate::{Phase, Watch};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};

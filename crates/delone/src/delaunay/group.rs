@@ -3,9 +3,8 @@
 //! `keys[i]` holds a key in its high half and the point's index in its low half. A point merged
 //! into another gets NaN coordinates and the other's index in place of its key.
 
-use super::frame::Frame;
 use super::input::Extent;
-use super::order::{Radix, sorted_keys};
+use crate::order::{Frame, Radix, sorted_keys};
 use crate::parallel::Workers;
 use crate::{Point, Watch};
 
@@ -82,7 +81,7 @@ pub(super) fn sort_in_own_box(
     }
     let radix = Radix::for_points(points.len());
     let frame = Frame::new(min, max, radix.bits);
-    let order = sorted_keys(points, &frame, radix, workers, watch)?;
+    let order = sorted_keys(points, |p| frame.key(p), radix, workers, watch)?;
     let (old_points, old_keys) = (points.to_vec(), keys.to_vec());
     for (i, key) in order.into_iter().enumerate() {
         let from = (key & INDEX) as usize;

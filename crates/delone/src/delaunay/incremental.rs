@@ -1,30 +1,34 @@
 //! The second builder: one point at a time, located by walking and legalised by flips.
 //!
-//! Lawson, *Software for C¹ surface interpolation*, 1977. It is the engine of single insertions and
-//! the oracle of the bulk builder: it shares no idea with divide and conquer, and yields the
-//! identical triangulation for every order of insertion.
-//!
-//! Ghosts make most cases disappear. A ghost on the hull edge ab is in conflict with p if p lies
-//! strictly outside ab, or on the line strictly between a and b. The second means that p splits the
-//! edge; so does any point on an edge. By the first, a point outside the hull splits a ghost, also
-//! one off the line of collinear vertices, and legalising does the rest. Only two things are done
-//! by hand: the first two points, and a point beyond the end of a row.
+//! Lawson, *Software for C¹ surface interpolation*, 1977. It is the oracle of the bulk builder: it
+//! shares no idea with divide and conquer, and yields the identical triangulation for every order of
+//! insertion. What an insertion does stands in `insertion.rs`, which [live editing](crate::edit) calls,
+//! too; that keeps more beside the mesh, and finds places faster.
 //!
 //! Cost: an insertion costs its walk (see [`locate`](crate::locate::locate)) and one flip for every
 //! edge but three that the new vertex ends up with; O(n) at worst, constant flips on average in
 //! random order. Points of one line in random order cost O(n) each, as the walk has no short cuts.
 
-use crate::locate::{Location, locate};
-use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
+use super::insertion::{self, Growing};
+use crate::locate::locate;
 use crate::{Duplicate, Error, HalfEdgeId, Mesh, Point, TriangleId, Triangulation, VertexId};
 
-/// What became of a point given to [`Incremental::insert`].
+/// What became of a point that was given to be inserted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Inserted {
     /// It is a new vertex.
     Vertex(VertexId),
     /// It equals an earlier point, whose vertex stands for it.
     Duplicate(VertexId),
+}
+
+impl Inserted {
+    /// Returns the vertex that is there now.
+    pub fn vertex(self) -> VertexId {
+        match self {
+            Self::Vertex(v) | Self::Duplicate(v) => v,
+        }
+    }
 }
 
 /// A Delaunay triangulation that grows by single points.
@@ -44,14 +48,50 @@ pub enum Inserted {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Incremental {
-    points: Vec<Point>,
+    plain: Plain,
     /// In the order of insertion; `kept` is the point inserted first.
     duplicates: Vec<Duplicate>,
-    mesh: Mesh,
     /// Where the next walk begins.
     hint: HalfEdgeId,
     /// Half-edges opposite the new vertex that may have to be flipped.
     suspects: Vec<HalfEdgeId>,
+}
+
+/// Points and mesh, and nothing else that edits would have to keep.
+#[derive(Clone, Debug, Default)]
+struct Plain {
+    points: Vec<Point>,
+    mesh: Mesh,
+}
+
+impl Growing for Plain {
+    fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    fn point(&self, v: VertexId) -> Point {
+        self.points[v.index()]
+    }
+
+    fn is_locked(&self, _: HalfEdgeId) -> bool {
+        false
+    }
+
+    fn split_face(&mut self, t: TriangleId, v: VertexId) -> [HalfEdgeId; 3] {
+        self.mesh.split_face(t, v)
+    }
+
+    fn split_edge(&mut self, h: HalfEdgeId, v: VertexId) -> [HalfEdgeId; 4] {
+        self.mesh.split_edge(h, v)
+    }
+
+    fn open_edge(&mut self, h: HalfEdgeId, v: VertexId) -> [HalfEdgeId; 2] {
+        self.mesh.open_edge(h, v)
+    }
+
+    fn flip(&mut self, h: HalfEdgeId) {
+        self.mesh.flip(h);
+    }
 }
 
 impl Default for Incremental {
@@ -64,9 +104,8 @@ impl Incremental {
     /// Starts without points.
     pub fn new() -> Self {
         Self {
-            points: Vec::new(),
+            plain: Plain::default(),
             duplicates: Vec::new(),
-            mesh: Mesh::default(),
             hint: HalfEdgeId::new(0),
             suspects: Vec::new(),
         }
@@ -94,13 +133,13 @@ impl Incremental {
 
     /// Counts the points inserted, duplicates included.
     pub fn num_points(&self) -> usize {
-        self.points.len()
+        self.plain.points.len()
     }
 
     /// Returns the mesh so far, triangles and ghosts in no particular order; empty before two
     /// distinct points.
     pub fn mesh(&self) -> &Mesh {
-        &self.mesh
+        &self.plain.mesh
     }
 
     /// Inserts a point.
@@ -113,15 +152,14 @@ impl Incremental {
     /// *Cost*: the walk from the point inserted before, and one flip for every edge but three that
     /// the new vertex ends up with. *Ids invalidated*: half-edges and faces; vertices keep theirs.
     pub fn insert(&mut self, point: Point) -> Result<Inserted, Error> {
-        let index = self.points.len();
+        let index = self.plain.points.len();
         check_finite(index, point)?;
         super::bulk::check_number(index + 1)?;
         // Adding zero turns −0.0 into 0.0.
         let point = Point::new(point.x + 0.0, point.y + 0.0);
         let vertex = VertexId::new(index);
-        self.points.push(point);
-        let Some(kept) = self.place(vertex, point) else {
-            self.legalise(point);
+        self.plain.points.push(point);
+        let Err(kept) = self.place(vertex, point) else {
             return Ok(Inserted::Vertex(vertex));
         };
         let dropped = vertex;
@@ -131,88 +169,44 @@ impl Incremental {
 
     /// Hands over the triangulation; point `i` inserted is point `i` of the result.
     pub fn finish(self) -> Triangulation {
-        let order: Vec<_> = (0..self.points.len()).collect();
+        let order: Vec<_> = (0..self.plain.points.len()).collect();
         self.finish_as(&order)
     }
 
-    /// Makes `vertex` part of the mesh and notes which edges are suspect; returns the vertex that
-    /// lies there already, if any.
-    fn place(&mut self, vertex: VertexId, point: Point) -> Option<VertexId> {
-        if self.mesh.num_faces() == 0 {
+    /// Makes `vertex` part of the triangulation, or returns the vertex that lies there already.
+    fn place(&mut self, vertex: VertexId, point: Point) -> Result<(), VertexId> {
+        if self.mesh().num_faces() == 0 {
             return self.place_early(vertex, point);
         }
-        match locate(&self.mesh, &self.points, self.hint, point) {
-            Location::Vertex(v) => return Some(v),
-            Location::Face(t) => self.suspects.extend(self.mesh.split_face(t, vertex)),
-            Location::Outside(h) => {
-                let ghost = h.triangle();
-                self.suspects.extend(self.mesh.split_face(ghost, vertex));
-            }
-            Location::Edge(h) => self.suspects.extend(self.mesh.split_edge(h, vertex)),
-            Location::Beyond(h) => self.suspects.extend(self.mesh.open_edge(h, vertex)),
-        }
-        None
+        let at = locate(self.mesh(), &self.plain.points, self.hint, point);
+        self.hint = insertion::insert(&mut self.plain, at, vertex, &mut self.suspects)?;
+        Ok(())
     }
 
     /// As [`place`](Self::place), while there is at most one vertex.
-    fn place_early(&mut self, vertex: VertexId, point: Point) -> Option<VertexId> {
+    fn place_early(&mut self, vertex: VertexId, point: Point) -> Result<(), VertexId> {
         let first = VertexId::new(0);
         if vertex == first {
-            return None;
+            return Ok(());
         }
-        if self.points[first.index()] == point {
-            return Some(first);
+        if self.plain.point(first) == point {
+            return Err(first);
         }
-        self.hint = self.mesh.seed(first, vertex);
-        None
-    }
-
-    /// Flips until no face is in conflict with the new vertex, which lies at `p`.
-    ///
-    /// ```text
-    ///         p                 p
-    ///        / \               /|\       p is the apex of h = ab. If the face beyond is in
-    ///       /   \             / | \      conflict with p, p gets its corner d, and the edges ad
-    ///      a --h- b    →     a  |  b     and db become suspect.
-    ///       \   /             \ | /
-    ///        \ /               \|/
-    ///         d                 d
-    /// ```
-    fn legalise(&mut self, p: Point) {
-        while let Some(h) = self.suspects.pop() {
-            let twin = self.mesh.twin(h);
-            if self.conflicts(twin.triangle(), p) {
-                self.mesh.flip(h);
-                self.suspects.extend([h, twin.prev()]);
-            }
-            self.hint = h;
-        }
-    }
-
-    /// Tells whether face `t` cannot stay when there is a vertex at `p`, which lies on no hull edge:
-    /// placing it there has split that edge and its ghost.
-    fn conflicts(&self, t: TriangleId, p: Point) -> bool {
-        let at = |v: VertexId| self.points[v.index()];
-        if self.mesh.is_ghost(t) {
-            let h = self.mesh.hull_edge_of(t);
-            let (a, b) = (at(self.mesh.origin(h)), at(self.mesh.dest(h)));
-            orient2d(a, b, p) == Orientation::Left
-        } else {
-            let [a, b, c] = self.mesh.corners(t).map(at);
-            in_circle_perturbed(a, b, c, p)
-        }
+        self.hint = self.plain.mesh.seed(first, vertex);
+        Ok(())
     }
 
     /// Hands over the triangulation; point `i` inserted is point `order[i]` of the result.
-    fn finish_as(mut self, order: &[usize]) -> Triangulation {
+    fn finish_as(self, order: &[usize]) -> Triangulation {
         let (names, duplicates) = self.names(order);
-        let mut points = self.points.clone();
-        for (&i, &p) in order.iter().zip(&self.points) {
+        let mut points = self.plain.points.clone();
+        for (&i, &p) in order.iter().zip(&self.plain.points) {
             points[i] = p;
         }
-        self.mesh.rename_vertices(&names);
-        let num_triangles = self.mesh.sort_ghosts_last();
-        Triangulation::from_parts(points, self.mesh, num_triangles, duplicates)
+        let mut mesh = self.plain.mesh;
+        mesh.rename_vertices(&names);
+        let num_triangles = mesh.sort_ghosts_last();
+        Triangulation::from_parts(points, mesh, num_triangles, duplicates)
     }
 
     /// Names the vertex of each point inserted by the lowest of the numbers that `order` gives to
@@ -256,7 +250,10 @@ mod tests {
         let mut growing = Incremental::new();
         for &p in points {
             growing.insert(p.into()).expect("finite points");
-            growing.mesh.validate().expect("a sphere after every point");
+            growing
+                .mesh()
+                .validate()
+                .expect("a sphere after every point");
         }
         growing
     }

@@ -1,6 +1,6 @@
 //! The first look at the input: finiteness, bounding box, and the class of its coordinates.
 
-use super::frame::exponent;
+use crate::order::exponent;
 use crate::{Error, Point};
 
 /// The bounding box and the range of magnitudes of a set of points.
@@ -98,8 +98,8 @@ pub(super) fn first_not_finite(points: &[Point]) -> Option<Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::frame::split_power;
     use super::*;
+    use crate::order::split_power;
 
     fn class(values: [f64; 2]) -> Class {
         Extent::of(&[Point::new(values[0], values[1])]).class()

@@ -14,21 +14,23 @@
 mod bulk;
 mod divide;
 mod export;
-mod frame;
+mod gather;
 mod group;
 mod incremental;
 mod input;
+mod insertion;
 mod knit;
 mod leaf;
-mod order;
 mod pair;
 mod sheet;
 mod signs;
+mod vertices;
 
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
-pub(crate) use order::sort_by_high_half;
+pub(crate) use insertion::{Growing, insert};
+pub(crate) use vertices::of_vertices;
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 

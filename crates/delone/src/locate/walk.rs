@@ -1,39 +1,31 @@
-//! The visibility walk: from triangle to triangle, always through an edge that separates the
-//! triangle from the goal.
+//! Walks from face to face towards a goal.
 //!
-//! In a Delaunay triangulation, and under the symbolic perturbation in a regular one, "lies in front
-//! of, seen from the goal" has no cycle, so the walk terminates whichever separating edge it takes
-//! (Edelsbrunner, *An acyclicity theorem for cell complexes in d dimensions*, 1990; Devillers, Pion
-//! and Teillaud, *Walking in a triangulation*, 2002). It takes the first one counter-clockwise from
-//! where it came in: no random numbers, so the same question has the same answer. In a
-//! triangulation that is not Delaunay it may run in circles.
+//! First the visibility walk: through an edge that separates the triangle from the goal. It remembers
+//! where it came in, so each triangle costs one new vertex and one or two signs. In a Delaunay
+//! triangulation, and under the symbolic perturbation in a regular one, "lies in front of, seen from the
+//! goal" has no cycle, so the walk ends whichever separating edge it takes (Edelsbrunner, *An acyclicity
+//! theorem for cell complexes in d dimensions*, 1990; Devillers, Pion and Teillaud, *Walking in a
+//! triangulation*, 2002). It takes the first one counter-clockwise from where it came in: no random
+//! numbers, so the same question has the same answer.
 //!
-//! Every sign is exact. Cost: O(√n) triangles for evenly spread points and an arbitrary hint, O(1)
-//! for a hint nearby, O(n) at worst.
+//! In a triangulation that is not Delaunay it may run in circles. So after [`PATIENCE`] triangles the
+//! straight walk takes over, along the segment from a corner of the triangle to the goal, which comes
+//! nearer to its end with each step in any triangulation of the convex hull.
+//!
+//! Every sign is exact.
 
+use super::Location;
 use crate::predicates::{Orientation, orient2d};
-use crate::{HalfEdgeId, Mesh, Point, TriangleId, VertexId};
+use crate::{HalfEdgeId, Mesh, Point, VertexId};
 
-/// Where a point lies in a triangulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Location {
-    /// On a vertex.
-    Vertex(VertexId),
-    /// In the open segment of an edge; either of its half-edges.
-    Edge(HalfEdgeId),
-    /// In the open interior of a triangle.
-    Face(TriangleId),
-    /// Outside the hull: the point lies strictly left of this finite half-edge of a ghost.
-    Outside(HalfEdgeId),
-    /// All vertices lie on one line, the point too, but beyond the end: this half-edge runs from
-    /// the last vertex to infinity.
-    Beyond(HalfEdgeId),
-}
+/// Triangles that the visibility walk may take: more than any walk from a hint nearby needs.
+const PATIENCE: usize = 256;
 
 /// Finds where `goal` lies, walking from the face of `hint`.
 ///
-/// `points[v]` is the position of vertex `v`; the mesh must be their Delaunay triangulation, with
-/// at least two vertices.
+/// `points[v]` is the position of vertex `v`; the mesh must triangulate their convex hull, and have at
+/// least two vertices. Faces carved out of it are like all others. [`Locator`](super::Locator) knows them,
+/// and needs no hint.
 ///
 /// # Panics
 /// If `hint` is no half-edge of the mesh.
@@ -42,69 +34,186 @@ pub enum Location {
 /// evenly spread points and an arbitrary hint, a few for a hint nearby, n at worst.
 pub fn locate(mesh: &Mesh, points: &[Point], hint: HalfEdgeId, goal: Point) -> Location {
     let walk = Walk { mesh, points, goal };
-    let t = hint.triangle();
-    if !mesh.is_ghost(t) {
-        return walk.through_triangles(t);
-    }
-    let inner = mesh.twin(mesh.hull_edge_of(t));
-    if mesh.is_ghost(inner.triangle()) {
-        walk.beside_row(inner)
-    } else {
-        walk.through_triangles(inner.triangle())
+    match inner(mesh, hint) {
+        Some(start) => walk.through_triangles(start).0,
+        None => walk.beside_row(mesh.hull_edge_of(hint.triangle())),
     }
 }
 
-struct Walk<'a> {
-    mesh: &'a Mesh,
-    points: &'a [Point],
-    goal: Point,
+/// Returns `h`, or for a ghost a half-edge of the triangle at its finite edge; `None` in a row.
+pub(super) fn inner(mesh: &Mesh, h: HalfEdgeId) -> Option<HalfEdgeId> {
+    if !mesh.is_ghost(h.triangle()) {
+        return Some(h);
+    }
+    let inner = mesh.twin(mesh.hull_edge_of(h.triangle()));
+    (!mesh.is_ghost(inner.triangle())).then_some(inner)
 }
 
-enum Step {
-    Arrived(Location),
-    Through(HalfEdgeId),
+/// A walk towards one goal.
+pub(super) struct Walk<'a> {
+    pub mesh: &'a Mesh,
+    pub points: &'a [Point],
+    pub goal: Point,
 }
+
+/// Where a walk ended, and a half-edge of the last finite face on its way.
+type Arrival = (Location, HalfEdgeId);
 
 impl Walk<'_> {
-    fn through_triangles(&self, start: TriangleId) -> Location {
-        let mut step = self.step(&start.half_edges());
+    /// Walks from the triangle of `start`.
+    #[inline]
+    pub fn through_triangles(&self, start: HalfEdgeId) -> Arrival {
+        let [a, b] = self.ends(start);
+        match orient2d(a, b, self.goal) {
+            Orientation::Left => self.visibly(start, a, b),
+            Orientation::Right => self.visibly(self.mesh.twin(start), b, a),
+            Orientation::Collinear => self.beginning_on_line(start),
+        }
+    }
+
+    /// The visibility walk from the face of `h`, which runs from `a` to `b` and has the goal strictly left.
+    ///
+    /// ```text
+    ///          w          If the goal lies beyond bw, the next h is its twin, which runs w → b;
+    ///         / \         if it lies beyond wa, the next h runs a → w.
+    ///        /   \
+    ///       a --h→ b
+    /// ```
+    #[inline]
+    fn visibly(&self, mut h: HalfEdgeId, mut a: Point, mut b: Point) -> Arrival {
+        use Orientation::{Collinear, Left, Right};
+        for _ in 0..PATIENCE {
+            let w = self.mesh.apex(h);
+            if w.is_infinite() {
+                return (Location::Outside(h), self.mesh.twin(h));
+            }
+            let apex = self.points[w.index()];
+            let over_next = orient2d(b, apex, self.goal);
+            if over_next == Right {
+                h = self.mesh.twin(h.next());
+                a = apex;
+                continue;
+            }
+            let over_prev = orient2d(apex, a, self.goal);
+            if over_prev == Right {
+                h = self.mesh.twin(h.prev());
+                b = apex;
+                continue;
+            }
+            let location = match [over_next, over_prev] {
+                [Collinear, Collinear] => Location::Vertex(w),
+                [Collinear, _] => Location::Edge(h.next()),
+                [_, Collinear] => Location::Edge(h.prev()),
+                [Left | Right, _] => Location::Face(h.triangle()),
+            };
+            return (location, h);
+        }
+        match inner(self.mesh, h) {
+            Some(h) => self.straight(h),
+            None => unreachable!("bug: a row has no triangles to walk through"),
+        }
+    }
+
+    /// As [`through_triangles`](Self::through_triangles), for a goal on the line of `start`.
+    #[cold]
+    fn beginning_on_line(&self, start: HalfEdgeId) -> Arrival {
+        let others = [start.next(), start.prev()];
+        for h in others {
+            let [a, b] = self.ends(h);
+            if orient2d(a, b, self.goal) == Orientation::Right {
+                return self.visibly(self.mesh.twin(h), b, a);
+            }
+        }
+        (self.on_edge(start), start)
+    }
+
+    /// The straight walk from the origin of `h`, a finite vertex.
+    #[cold]
+    fn straight(&self, h: HalfEdgeId) -> Arrival {
+        let (location, last) = self.straight_through(h);
+        // The walk may have gone along the hull, on its outer side.
+        (location, inner(self.mesh, last).unwrap_or(last))
+    }
+
+    fn straight_through(&self, mut h: HalfEdgeId) -> Arrival {
         loop {
-            match step {
-                Step::Arrived(location) => return location,
-                Step::Through(h) => {
-                    let entered = self.mesh.twin(h);
-                    if self.mesh.apex(entered).is_infinite() {
-                        return Location::Outside(entered);
-                    }
-                    step = self.step(&[entered.next(), entered.prev()]);
+            if self.ends_at(self.mesh.origin(h)) {
+                return (Location::Vertex(self.mesh.origin(h)), h);
+            }
+            h = match self.ahead(h) {
+                Ahead::Outside(ghost) => {
+                    return (Location::Outside(ghost), ghost);
+                }
+                Ahead::Along(g) => match self.is_within(g) {
+                    true => return (Location::Edge(g), g),
+                    false => g.next(),
+                },
+                Ahead::Across(exit) => match self.across(h, exit) {
+                    Ok(arrival) => return arrival,
+                    Err(beyond) => beyond,
+                },
+            };
+        }
+    }
+
+    /// Looks from the origin of `h` towards the goal, which lies elsewhere.
+    fn ahead(&self, h: HalfEdgeId) -> Ahead {
+        let mesh = self.mesh;
+        let from = self.point(mesh.origin(h));
+        let mut ghost = None;
+        for g in mesh.star(h) {
+            if mesh.dest(g).is_infinite() {
+                continue;
+            }
+            let side = |v| orient2d(from, self.point(v), self.goal);
+            let right = side(mesh.dest(g));
+            if right == Orientation::Collinear {
+                let to = self.point(mesh.dest(g));
+                if from.lex_cmp(&to) == from.lex_cmp(&self.goal) {
+                    return Ahead::Along(g);
                 }
             }
-        }
-    }
-
-    /// Decides by some half-edges of one triangle; the goal is strictly left of those left out.
-    fn step(&self, half_edges: &[HalfEdgeId]) -> Step {
-        let mut touched = [None; 2];
-        for &h in half_edges {
-            match self.side(h) {
-                Orientation::Right => return Step::Through(h),
-                Orientation::Collinear => touched = [Some(h), touched[0]],
-                Orientation::Left => {}
+            let mut sides = [g, mesh.twin(g)].into_iter();
+            ghost = ghost.or(sides.find(|&g| self.is_hull_edge_in_sight(g)));
+            let apex = mesh.apex(g);
+            if !apex.is_infinite() && right == Orientation::Left && side(apex) == Orientation::Right
+            {
+                return Ahead::Across(g.next());
             }
         }
-        Step::Arrived(match touched {
-            [Some(g), Some(h)] => Location::Vertex(self.common_vertex(h, g)),
-            [Some(h), None] => Location::Edge(h),
-            [None, _] => Location::Face(half_edges[0].triangle()),
-        })
+        // A point outside the convex hull that no triangle here leads to sees an edge of the hull here.
+        Ahead::Outside(ghost.expect("bug: the mesh does not cover its convex hull"))
     }
 
-    /// The vertex shared by two half-edges of one triangle.
-    fn common_vertex(&self, h: HalfEdgeId, g: HalfEdgeId) -> VertexId {
-        if h.next() == g {
-            self.mesh.origin(g)
-        } else {
-            self.mesh.origin(h)
+    /// Tells whether `h` is the finite half-edge of a ghost and sees the goal.
+    fn is_hull_edge_in_sight(&self, h: HalfEdgeId) -> bool {
+        self.mesh.apex(h).is_infinite() && self.side(h) == Orientation::Left
+    }
+
+    /// Goes straight from the origin of `from` through the face of `exit` towards that half-edge, and on: the
+    /// end of the walk, or a half-edge that starts at a vertex on the way.
+    fn across(&self, from: HalfEdgeId, mut exit: HalfEdgeId) -> Result<Arrival, HalfEdgeId> {
+        let start = self.point(self.mesh.origin(from));
+        loop {
+            match self.side(exit) {
+                Orientation::Left => return Ok((Location::Face(exit.triangle()), exit)),
+                Orientation::Collinear => return Ok((Location::Edge(exit), exit)),
+                Orientation::Right => {}
+            }
+            let entry = self.mesh.twin(exit);
+            let w = self.mesh.apex(entry);
+            if w.is_infinite() {
+                return Ok((Location::Outside(entry), exit));
+            }
+            let turn = self.point(w);
+            exit = match orient2d(start, self.goal, turn) {
+                Orientation::Left => entry.next(),
+                Orientation::Right => entry.prev(),
+                Orientation::Collinear if start.lex_cmp(&self.goal) == self.goal.lex_cmp(&turn) => {
+                    return Ok((Location::Face(entry.triangle()), entry));
+                }
+                Orientation::Collinear => return Err(entry.prev()),
+            };
         }
     }
 
@@ -137,14 +246,19 @@ impl Walk<'_> {
 
     /// Says where on the edge of `h` the goal lies, knowing that it does.
     fn on_edge(&self, h: HalfEdgeId) -> Location {
+        let ends = [self.mesh.origin(h), self.mesh.dest(h)];
+        let vertex = ends.into_iter().find(|&v| self.ends_at(v));
+        vertex.map_or(Location::Edge(h), Location::Vertex)
+    }
+
+    /// Tells whether the goal, on the line of `h` and not at its origin, lies in its open segment.
+    fn is_within(&self, h: HalfEdgeId) -> bool {
         let [a, b] = self.ends(h);
-        if a == self.goal {
-            Location::Vertex(self.mesh.origin(h))
-        } else if b == self.goal {
-            Location::Vertex(self.mesh.dest(h))
-        } else {
-            Location::Edge(h)
-        }
+        a.lex_cmp(&self.goal) == self.goal.lex_cmp(&b)
+    }
+
+    fn ends_at(&self, v: VertexId) -> bool {
+        self.point(v) == self.goal
     }
 
     fn side(&self, h: HalfEdgeId) -> Orientation {
@@ -153,8 +267,22 @@ impl Walk<'_> {
     }
 
     fn ends(&self, h: HalfEdgeId) -> [Point; 2] {
-        [self.mesh.origin(h), self.mesh.dest(h)].map(|v| self.points[v.index()])
+        [self.mesh.origin(h), self.mesh.dest(h)].map(|v| self.point(v))
     }
+
+    fn point(&self, v: VertexId) -> Point {
+        self.points[v.index()]
+    }
+}
+
+/// How the segment from a vertex to the goal begins.
+enum Ahead {
+    /// Outside the convex hull; this half-edge of a ghost sees the goal.
+    Outside(HalfEdgeId),
+    /// Along this edge.
+    Along(HalfEdgeId),
+    /// Through the triangle of this half-edge, which lies opposite the vertex.
+    Across(HalfEdgeId),
 }
 
 #[cfg(test)]
@@ -276,5 +404,83 @@ mod tests {
         };
         everywhere(&mesh, &points, (0.0, 9.0), left(true));
         everywhere(&mesh, &points, (9.0, 0.0), left(false));
+    }
+
+    /// The straight walk says what the visibility walk says, from every corner.
+    #[test]
+    fn walks_straight_from_every_corner() {
+        let mut points = vec![Point::new(0.0, 0.0)];
+        points
+            .extend([(6.0, 0.0), (6.0, 6.0), (0.0, 6.0), (3.0, 3.0), (2.0, 2.0)].map(Point::from));
+        points.extend([(3.0, 0.0), (1.0, 4.0), (5.0, 2.0)].map(Point::from));
+        let t = crate::triangulate(points.iter().copied()).unwrap();
+        let mesh = t.mesh();
+        let goals = (-2..=16).flat_map(|x| {
+            (-2..=16).map(move |y| Point::new(f64::from(x) / 2.0, f64::from(y) / 2.0))
+        });
+        for goal in goals {
+            let walk = Walk {
+                mesh,
+                points: &points,
+                goal,
+            };
+            let finite = |&h: &HalfEdgeId| !mesh.is_ghost(h.triangle());
+            for h in mesh.half_edges().filter(finite) {
+                let same = |h: HalfEdgeId| h.min(mesh.twin(h));
+                match (walk.straight(h).0, walk.through_triangles(h).0) {
+                    (Location::Edge(g), Location::Edge(h)) => assert_eq!(same(g), same(h)),
+                    (Location::Outside(g), Location::Outside(_)) => {
+                        assert!(walk.is_hull_edge_in_sight(g))
+                    }
+                    (straight, visibly) => assert_eq!(straight, visibly, "{goal:?} from {h:?}"),
+                }
+            }
+        }
+    }
+
+    /// Follows the rule of the visibility walk for so many steps; tells whether it arrives.
+    fn arrives(mesh: &Mesh, points: &[Point], mut h: HalfEdgeId, goal: Point) -> bool {
+        let walk = Walk { mesh, points, goal };
+        for _ in 0..10_000 {
+            let crossed = [h.next(), h.prev()]
+                .into_iter()
+                .find(|&h| walk.side(h) == Orientation::Right);
+            match crossed {
+                Some(crossed) => h = mesh.twin(crossed),
+                None => return true,
+            }
+            if mesh.apex(h).is_infinite() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Two squares, the outer one turned so far that every spoke between them, seen inwards, passes the
+    /// centre on its left: a visibility walk goes round and round. The spokes are segments, or they would
+    /// be flipped.
+    #[test]
+    fn ends_where_the_visibility_walk_goes_round_in_circles() {
+        let inner = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+        let outer = inner.map(|(x, y)| (-x - 4.0 * y, 4.0 * x - y));
+        let mut pslg = crate::Pslg::from_points(inner.into_iter().chain(outer));
+        for i in 0..4 {
+            pslg.add_segment(i, i + 4);
+            pslg.add_segment((i + 1) % 4, i + 4);
+        }
+        let t = crate::ConstrainedDelaunay::new().triangulate(pslg).unwrap();
+        let t = t.into_triangulation();
+        let (mesh, points) = (t.mesh(), t.points());
+        let goal = Point::new(0.125, 0.0625);
+        let is_finite = |h: &HalfEdgeId| !mesh.is_ghost(h.triangle());
+        let mut inside = mesh.half_edges().filter(is_finite);
+        assert!(
+            inside.any(|h| !arrives(mesh, points, h, goal)),
+            "it proves nothing"
+        );
+        let answers = mesh.half_edges().map(|h| locate(mesh, points, h, goal));
+        let answers: std::collections::HashSet<_> = answers.collect();
+        assert_eq!(answers.len(), 1);
+        assert!(matches!(answers.iter().next(), Some(Location::Face(_))));
     }
 }

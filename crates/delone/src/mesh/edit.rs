@@ -1,14 +1,38 @@
 //! The edits: the only places where corners and twins are rewritten.
 //!
-//! Each edit keeps the structure a closed sphere and costs constant time. None asks where a vertex
-//! lies, so each works on ghosts as on triangles: letters in the pictures may stand for the vertex
-//! at infinity. The caller answers for geometry, these functions for topology.
+//! Each edit keeps the structure a closed sphere and costs constant time, but for
+//! [`Mesh::contract`]. None asks where a vertex lies, so each works on ghosts as on triangles: letters
+//! in the pictures may stand for the vertex at infinity. The caller answers for geometry, these
+//! functions for topology.
 //!
 //! A picture shows the faces before and after; a half-edge id keeps its meaning unless the text
 //! says otherwise. What a growing edit returns is the *link* of the new vertex: the half-edges
 //! opposite to it, counter-clockwise, which are the ones to legalise.
 
 use super::{HalfEdgeId, Mesh, TriangleId, VertexId};
+
+/// A face has got another id, or the last one has vanished: then both are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Moved {
+    /// Its id before.
+    pub from: TriangleId,
+    /// Its id from now on.
+    pub to: TriangleId,
+}
+
+impl Moved {
+    /// Returns what face `t` is called from now on.
+    #[inline]
+    pub fn face(self, t: TriangleId) -> TriangleId {
+        if t == self.from { self.to } else { t }
+    }
+
+    /// Returns what half-edge `h` is called from now on.
+    #[inline]
+    pub fn half_edge(self, h: HalfEdgeId) -> HalfEdgeId {
+        self.face(h.triangle()).half_edges()[h.slot()]
+    }
+}
 
 impl Mesh {
     /// Makes the mesh of two vertices, and returns the half-edge from `a` to `b`.
@@ -23,8 +47,7 @@ impl Mesh {
     ///
     /// *Ids invalidated*: all.
     pub fn seed(&mut self, a: VertexId, b: VertexId) -> HalfEdgeId {
-        self.corners.clear();
-        self.twins.clear();
+        self.clear();
         let t = self.push_face([a, b, VertexId::INFINITE]).half_edges();
         let u = self.push_face([b, a, VertexId::INFINITE]).half_edges();
         self.bond(t[0], u[1]);
@@ -162,9 +185,47 @@ impl Mesh {
         self.relocate(bc, bv);
         self.relocate(ca, va);
         self.set_apex(ab, c);
-        let [u, w] = [bc.triangle(), ca.triangle()];
-        let ab = self.remove_face(u.max(w), ab);
-        self.remove_face(u.min(w), ab)
+        let moved = self.remove_faces([bc.triangle(), ca.triangle()]);
+        moved.into_iter().fold(ab, |h, moved| moved.half_edge(h))
+    }
+
+    /// Contracts the edge of `h`, from v to a: v goes, and what is left of its star becomes part of
+    /// that of a. Undoes [`open_edge`](Self::open_edge), [`split_edge`](Self::split_edge) and
+    /// [`split_face`](Self::split_face).
+    ///
+    /// ```text
+    ///           c                       c
+    ///          /|\                     / \
+    ///         / | \                   /   \       the face of h = va and that of its twin vanish;
+    ///        /  |  \                 /     \      vc and ac become one edge, so do dv and da. All
+    ///       . --v-h→a       →       . ----- a     other faces of v have a where they had v.
+    ///        \  |  /                 \     /
+    ///         \ | /                   \   /
+    ///          \|/                     \ /
+    ///           d                       d
+    /// ```
+    ///
+    /// There must be at least three finite vertices, and no vertex beside a, c and d may be adjacent to
+    /// both v and a. With a at infinity and v on the hull, the other faces of v become ghosts.
+    ///
+    /// Returns which faces have got new ids. *Ids invalidated*: those of the two faces that vanish, and
+    /// of the two last ones, which take their places. *Cost*: the degree of v.
+    pub fn contract(&mut self, h: HalfEdgeId) -> [Moved; 2] {
+        let (g, a) = (self.twin(h), self.dest(h));
+        let mut spoke = self.onext(h);
+        while spoke != h {
+            self.set_apex(spoke.next(), a);
+            spoke = self.onext(spoke);
+        }
+        self.relocate(h.next(), self.twin(h.prev()));
+        self.relocate(g.prev(), self.twin(g.next()));
+        self.remove_faces([h.triangle(), g.triangle()])
+    }
+
+    /// Drops all faces.
+    pub(crate) fn clear(&mut self) {
+        self.corners.clear();
+        self.twins.clear();
     }
 
     /// Moves the ghosts behind the triangles, each kind in its old order, and returns the number of
@@ -192,9 +253,10 @@ impl Mesh {
         }
     }
 
-    /// Gives `order[i]` the id `i`.
+    /// Gives `order[i]` the id `i`; faces that do not occur are dropped, and must have no neighbour
+    /// that does.
     pub(crate) fn reorder_faces(&mut self, order: &[TriangleId]) {
-        let mut new_id = vec![TriangleId::new(0); order.len()];
+        let mut new_id = vec![TriangleId::new(0); self.num_faces()];
         for (i, t) in order.iter().enumerate() {
             new_id[t.index()] = TriangleId::new(i);
         }
@@ -212,23 +274,24 @@ impl Mesh {
         t
     }
 
+    /// Drops two faces, which nothing is bonded to.
+    fn remove_faces(&mut self, [t, u]: [TriangleId; 2]) -> [Moved; 2] {
+        // The higher one first, so that the other cannot be the last one, which moves.
+        [t.max(u), t.min(u)].map(|t| self.remove_face(t))
+    }
+
     /// Drops face `t`, which nothing is bonded to, and moves the last face into its place.
-    /// Returns where `kept` is afterwards.
-    fn remove_face(&mut self, t: TriangleId, kept: HalfEdgeId) -> HalfEdgeId {
-        let last = TriangleId::new(self.num_faces() - 1);
-        if t != last {
-            self.corners[t.index()] = self.corners(last);
-            for (from, to) in last.half_edges().into_iter().zip(t.half_edges()) {
+    fn remove_face(&mut self, to: TriangleId) -> Moved {
+        let from = TriangleId::new(self.num_faces() - 1);
+        if to != from {
+            self.corners[to.index()] = self.corners(from);
+            for (from, to) in from.half_edges().into_iter().zip(to.half_edges()) {
                 self.relocate(from, to);
             }
         }
         self.corners.pop();
         self.twins.pop();
-        if kept.triangle() == last {
-            t.half_edges()[kept.slot()]
-        } else {
-            kept
-        }
+        Moved { from, to }
     }
 
     /// Gives face `t` other corners and leaves its twins as they are: one step of an edit that
@@ -436,6 +499,72 @@ mod tests {
                 assert_eq!((mesh.origin(ab), mesh.dest(ab)), (corner, next));
                 assert_eq!(faces(&mesh), before);
             }
+        }
+    }
+
+    #[test]
+    fn contract_undoes_what_grows() {
+        for t in 0..4 {
+            for k in 0..3 {
+                let mesh = triangle();
+                let h = HalfEdgeId::new(3 * t + k);
+                let [a, b] = [mesh.origin(h), mesh.dest(h)];
+                let grow: [&dyn Fn(&mut Mesh); 3] = [
+                    &|mesh| assert_eq!(mesh.split_face(h.triangle(), v(3)).len(), 3),
+                    &|mesh| assert_eq!(mesh.split_edge(h, v(3)).len(), 4),
+                    &|mesh| assert_eq!(mesh.open_edge(h, v(3)).len(), 2),
+                ];
+                for grow in grow {
+                    for target in [a, b] {
+                        let mut mesh = mesh.clone();
+                        grow(&mut mesh);
+                        let spoke = edge(&mesh, v(3), target);
+                        let _ = mesh.contract(spoke);
+                        mesh.validate().expect("contracted");
+                        assert_eq!(faces(&mesh), faces(&triangle()));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contract_says_which_faces_have_moved() {
+        let mut mesh = triangle();
+        mesh.split_face(edge(&mesh, v(0), v(1)).triangle(), v(3));
+        mesh.split_face(edge(&mesh, v(1), v(0)).triangle(), v(4));
+        let before = mesh.clone();
+        let h = edge(&mesh, v(3), v(0));
+        let gone = [h.triangle(), mesh.twin(h).triangle()];
+        let moved = mesh.contract(h);
+        for t in (0..before.num_faces()).map(TriangleId::new) {
+            if !gone.contains(&t) {
+                let now = moved.iter().fold(t, |t, moved| moved.face(t));
+                let expected = before.corners(t).map(|w| if w == v(3) { v(0) } else { w });
+                assert_eq!(mesh.corners(now), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn a_hull_vertex_is_contracted_into_infinity() {
+        let mut mesh = triangle();
+        mesh.split_face(edge(&mesh, v(2), v(1)).triangle(), v(3));
+        let _ = mesh.contract(edge(&mesh, v(3), INF));
+        mesh.validate().expect("contracted");
+        assert_eq!(faces(&mesh), faces(&triangle()));
+    }
+
+    #[test]
+    fn a_row_is_shortened_at_its_end_and_inside() {
+        for (victim, target) in [(2, 1), (1, 0), (1, 2), (0, 1)] {
+            let mut mesh = Mesh::default();
+            let ab = mesh.seed(v(0), v(1));
+            mesh.open_edge(ab.next(), v(2));
+            let spoke = edge(&mesh, v(victim), v(target));
+            let _ = mesh.contract(spoke);
+            mesh.validate().expect("a row of two");
+            assert_eq!(mesh.num_faces(), 2);
         }
     }
 

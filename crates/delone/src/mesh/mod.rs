@@ -20,13 +20,14 @@
 //!
 //! Nobody else writes twins: a builder either works through the edits ([`Mesh::seed`],
 //! [`Mesh::split_face`], [`Mesh::split_edge`], [`Mesh::open_edge`], [`Mesh::flip`],
-//! [`Mesh::remove_degree_three`]) or hands over whole rows. [`Mesh::validate`] checks the result.
+//! [`Mesh::remove_degree_three`], [`Mesh::contract`]) or hands over whole rows. [`Mesh::validate`] checks the result.
 
 mod edit;
 mod half_edge;
 mod ids;
 mod validate;
 
+pub use edit::Moved;
 pub use half_edge::Mesh;
 pub use ids::{HalfEdgeId, TriangleId, VertexId};
 pub use validate::TopologyError;

@@ -29,7 +29,7 @@ const BOUND: f64 = power_of_two(-99);
 /// lose below 2⁻¹⁰⁷⁴ is, times |w| ≤ 2²⁵¹, less than 2⁻⁸⁰⁰.
 const FLOOR: f64 = power_of_two(-700);
 
-const fn power_of_two(e: i32) -> f64 {
+pub(super) const fn power_of_two(e: i32) -> f64 {
     f64::from_bits(((1023 + e) as u64) << 52)
 }
 
@@ -88,12 +88,12 @@ fn filtered([a, b]: [Point; 2], [c, d]: [Point; 2]) -> [Option<f64>; 2] {
 }
 
 /// Whether no step of stage 1 can overflow, and none but the last ones underflow.
-fn is_ordinary(c: f64) -> bool {
+pub(super) fn is_ordinary(c: f64) -> bool {
     c == 0.0 || (power_of_two(-200)..=power_of_two(250)).contains(&c.abs())
 }
 
 /// The exact vector from `a` to `b`.
-fn vector(a: Point, b: Point) -> [Double; 2] {
+pub(super) fn vector(a: Point, b: Point) -> [Double; 2] {
     [Double::sum(b.x, -a.x), Double::sum(b.y, -a.y)]
 }
 
@@ -103,7 +103,7 @@ fn cross_size([ax, ay]: &[Double; 2], [bx, by]: &[Double; 2]) -> f64 {
 }
 
 /// Rounds a number that is known up to `bound` of its magnitude, if all candidates round alike.
-fn certain(value: Double, bound: impl Fn(f64) -> f64) -> Option<f64> {
+pub(super) fn certain(value: Double, bound: impl Fn(f64) -> f64) -> Option<f64> {
     let bound = bound(value.high.abs());
     let [least, largest] = [value.low - bound, value.low + bound].map(|low| value.high + low);
     (least == largest).then_some(least)

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// The number `high + low`, where `high` is the sum rounded to nearest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Double {
+pub(crate) struct Double {
     pub high: f64,
     pub low: f64,
 }
@@ -43,6 +43,19 @@ impl Double {
         let low = a0 * b0 - (((high - a1 * b1) - a0 * b1) - a1 * b0);
         Self { high, low }
     }
+
+    /// Returns the square root of a positive number. Relative error at most 16u².
+    ///
+    /// With s the rounded root of the high part, the remainder r = self − s² is at most 4u of the
+    /// number; it is computed with three roundings, each of that size, r/(2s) adds two more, and of the
+    /// series of the root (s² + r) − s = r/(2s) − … the rest is below 2u² of s.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        let square = Self::product(root, root);
+        let rest = ((self.high - square.high) - square.low) + self.low;
+        Self::ordered_sum(root, rest / (2.0 * root))
+    }
 }
 
 /// Returns `a + t(b − a)` rounded once: off by at most half a unit in its last place, and 2⁻¹⁰⁰ of b − a.
@@ -75,6 +88,19 @@ impl Add<f64> for Double {
     fn add(self, b: f64) -> Self {
         let sum = Self::sum(self.high, b);
         Self::ordered_sum(sum.high, self.low + sum.low)
+    }
+}
+
+/// Relative error at most 3u² + 13u³.
+impl Add for Double {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        self - Self {
+            high: -b.high,
+            low: -b.low,
+        }
     }
 }
 

@@ -4,8 +4,10 @@
 //! (orient2d) to 0.8 µs (in_circle) where exponents are close, most of it allocations; at worst, over
 //! the full exponent range, coordinates of 2,100 bits.
 
+use super::Weighted;
+use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::rounded;
+use super::quotient::{Root, root_of_quotient, rounded, saturated};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -28,10 +30,111 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     dot(&u, &u).cmp(&dot(&v, &v))
 }
 
+/// Compares the squared lengths of two segments.
+pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    let [u, v] = along([s, t]).0;
+    dot(&u, &u).cmp(&dot(&v, &v))
+}
+
 /// Finds the sign of the dot product of `a − p` and `b − p`.
 pub(super) fn diametral(a: Point, b: Point, p: Point) -> Ordering {
     let [u, v] = vectors([a, b], p);
     sign(&dot(&u, &v))
+}
+
+/// Finds the sign of the power determinant.
+pub(super) fn in_power_circle(a: Weighted, b: Weighted, c: Weighted, d: Weighted) -> Ordering {
+    let lifted = Lifted::new([a, b, c], d);
+    let mut terms = in_circle_terms(&lifted.vectors);
+    for ([lift, _], rise) in terms.iter_mut().zip(lifted.rises) {
+        *lift += rise;
+    }
+    sign(&terms.into_iter().map(|[lift, cross]| lift * cross).sum())
+}
+
+/// Finds the sign of the power determinant on a line, where `a` is the lexicographically smaller end.
+pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Ordering {
+    let Lifted {
+        vectors: [u, v],
+        rises: [u_rise, v_rise],
+        ..
+    } = Lifted::new([a, b], p);
+    let along = usize::from(a.point.x == b.point.x);
+    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    (u_lift * &v[along]).cmp(&(v_lift * &u[along]))
+}
+
+/// Finds the place of equal power with respect to three sites, correctly rounded; a coordinate beyond the
+/// largest number becomes that number. `None` if the points are on one line.
+///
+/// With u and v the vectors from a to b and c, its vector z from a has 2u·z = |u|² + a's weight − b's
+/// and 2v·z likewise.
+pub(super) fn power_center([a, b, c]: [Weighted; 3]) -> Option<Point> {
+    let Lifted {
+        vectors: [u, v],
+        rises: [u_rise, v_rise],
+        unit,
+    } = Lifted::new([b, c], a);
+    let doubled_area: BigInt = cross(&u, &v) * 2;
+    if doubled_area.sign() == Sign::NoSign {
+        return None;
+    }
+    let [uu, vv] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    let numerators = [&v[1] * &uu - &u[1] * &vv, &u[0] * &vv - &v[0] * &uu];
+    let origin = scaled(a.point, unit);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &origin[k] * &doubled_area + &numerators[k];
+        saturated(&product, &doubled_area, unit)
+    });
+    Some(Point::new(x, y))
+}
+
+/// Sites relative to one of them, on a common lattice.
+struct Lifted<const K: usize> {
+    vectors: [[BigInt; 2]; K],
+    /// The weight of the origin less that of the site: what weights add to a squared length.
+    rises: [BigInt; K],
+    /// Vectors are in units of 2 to this power, rises in its square.
+    unit: i32,
+}
+
+impl<const K: usize> Lifted<K> {
+    /// Returns the power of the origin with respect to a site, the weight of the origin added.
+    fn power(&self, site: usize) -> BigInt {
+        let vector = &self.vectors[site];
+        dot(vector, vector) + &self.rises[site]
+    }
+
+    fn new(sites: [Weighted; K], origin: Weighted) -> Self {
+        let all = || sites.iter().chain([&origin]);
+        let points = all().map(|s| common_unit(&[s.point]));
+        let weights = all().map(|s| Dyadic::new(s.weight).exponent.div_euclid(2));
+        // If all numbers are zero, any unit will do.
+        let unit = points.chain(weights).fold(1024, i32::min);
+        let weight = |s: Weighted| Dyadic::new(s.weight).in_units_of(2 * unit);
+        let (place, level) = (scaled(origin.point, unit), weight(origin));
+        Self {
+            vectors: sites.map(|s| minus(&scaled(s.point, unit), &place)),
+            rises: sites.map(|s| &level - weight(s)),
+            unit,
+        }
+    }
+}
+
+/// Finds the length of a segment.
+pub(super) fn length(ends: [Point; 2]) -> Root {
+    let ([u], unit) = along([ends]);
+    root_of_quotient(&dot(&u, &u), &BigInt::from(1), unit)
+}
+
+/// Finds the radius of the circle through three points; `None` if they are collinear.
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
+    let (sides, unit) = along([[a, b], [b, c], [c, a]]);
+    let twice: BigInt = cross(&sides[0], &sides[1]) * 2;
+    let squares = sides.map(|side| dot(&side, &side));
+    let product = squares.into_iter().product();
+    let is_circle = twice.sign() != Sign::NoSign;
+    is_circle.then(|| root_of_quotient(&product, &(&twice * &twice), unit))
 }
 
 fn sign(value: &BigInt) -> Ordering {
@@ -56,11 +159,68 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Point::new(x, y)
 }
 
+/// Finds the sign of the dot product of the vectors along two segments.
+pub(super) fn towards(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    let [way, other] = along([way, ends]).0;
+    sign(&dot(&way, &other))
+}
+
+/// Finds the sign of the cross product of the vectors along two segments.
+pub(super) fn turning(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    let [way, other] = along([way, ends]).0;
+    sign(&cross(&way, &other))
+}
+
+/// Compares the powers of `p` with respect to two sites.
+pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Ordering {
+    let lifted = Lifted::new([a, b], Weighted::new(p, 0.0));
+    lifted.power(0).cmp(&lifted.power(1))
+}
+
+/// Compares where a segment meets two bisectors, towards whose other sites it runs: where powers are
+/// equal; without weights that is where distances are.
+pub(super) fn compare_meetings([p, q]: [Point; 2], sites: [Weighted; 3]) -> Ordering {
+    let [site, a, b] = sites;
+    let [p, q] = [p, q].map(|p| Weighted::new(p, 0.0));
+    let lifted = Lifted::new([site, a, b, q], p);
+    let [site, _, _, along] = &lifted.vectors;
+    let meeting = |other: usize| {
+        let normal = minus(&lifted.vectors[other], site);
+        (lifted.power(other) - lifted.power(0), dot(&normal, along))
+    };
+    let [(na, da), (nb, db)] = [meeting(1), meeting(2)];
+    (na * db).cmp(&(nb * da))
+}
+
+/// Finds the point on the line of a segment that has equal powers with respect to two sites, correctly
+/// rounded; a coordinate beyond the largest number becomes that number.
+pub(super) fn bisector_place([p, q]: [Point; 2], a: Weighted, b: Weighted) -> Point {
+    let [origin, q] = [p, q].map(|p| Weighted::new(p, 0.0));
+    let lifted = Lifted::new([a, b, q], origin);
+    let [a, b, along] = &lifted.vectors;
+    let numerator = lifted.power(1) - lifted.power(0);
+    let denominator: BigInt = dot(&minus(b, a), along) * 2;
+    let p = scaled(p, lifted.unit);
+    let [x, y] = [0, 1].map(|k| {
+        let product = &p[k] * &denominator + &along[k] * &numerator;
+        saturated(&product, &denominator, lifted.unit)
+    });
+    Point::new(x, y)
+}
+
 /// Finds the vectors from `origin` to `points`, up to a common factor.
 fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
     let unit = common_unit(&points).min(common_unit(&[origin]));
     let origin = scaled(origin, unit);
     points.map(|p| minus(&scaled(p, unit), &origin))
+}
+
+/// Finds the vectors from the first to the second end of `segments` in units of a power of two, and its
+/// exponent.
+fn along<const K: usize>(segments: [[Point; 2]; K]) -> ([[BigInt; 2]; K], i32) {
+    let unit = common_unit(segments.as_flattened());
+    let vectors = segments.map(|[from, to]| minus(&scaled(to, unit), &scaled(from, unit)));
+    (vectors, unit)
 }
 
 /// Finds the exponent of a power of two that divides all coordinates.
@@ -76,41 +236,4 @@ fn scaled(p: Point, unit: i32) -> [BigInt; 2] {
 
 fn minus([ax, ay]: &[BigInt; 2], [bx, by]: &[BigInt; 2]) -> [BigInt; 2] {
     [ax - bx, ay - by]
-}
-
-/// The number `mantissa · 2^exponent`, the mantissa odd unless the number is zero.
-struct Dyadic {
-    mantissa: i64,
-    exponent: i32,
-}
-
-impl Dyadic {
-    /// Takes a finite number apart.
-    fn new(value: f64) -> Self {
-        let bits = value.to_bits();
-        let biased = (bits >> 52 & 0x7ff) as i32;
-        let fraction = (bits & ((1 << 52) - 1)) as i64;
-        let magnitude = fraction | i64::from(biased != 0) << 52;
-        if magnitude == 0 {
-            // No power of two is too coarse for zero.
-            return Self {
-                mantissa: 0,
-                exponent: i32::MAX,
-            };
-        }
-        let zeros = magnitude.trailing_zeros();
-        let odd = magnitude >> zeros;
-        Self {
-            mantissa: if value < 0.0 { -odd } else { odd },
-            exponent: biased.max(1) - 1075 + zeros.cast_signed(),
-        }
-    }
-
-    /// Divides by 2^`unit`, which divides the number.
-    fn in_units_of(&self, unit: i32) -> BigInt {
-        if self.mantissa == 0 {
-            return BigInt::ZERO;
-        }
-        BigInt::from(self.mantissa) << (self.exponent - unit)
-    }
 }

@@ -18,6 +18,7 @@
 //! four η that products contribute. The in-circle filter requires lifts above [`LIFT_FLOOR`]
 //! instead; see [`in_circle`].
 
+use super::Weighted;
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -41,9 +42,25 @@ pub(crate) const ORIENT2D_BOUND: f64 = 3.3306690738754716e-16;
 /// its product with the bound included, are far below the rest of the constant.
 pub(crate) const IN_CIRCLE_BOUND: f64 = 1.12e-15;
 
+/// Bounds the error of the power determinant, relative to al·(bs + cs) + bl·(cs + as) + cl·(as + bs),
+/// where as, bs, cs are the squared lengths of a, b, c relative to the fourth point, and al, bl, cl
+/// are these plus the magnitudes of the differences of weights.
+///
+/// As for [`IN_CIRCLE_BOUND`], with one rounding more: a lift is a squared length (four roundings)
+/// plus a difference (one), and their sum is rounded, hence at most five, relative to al. With four in
+/// the cross product, one in its product with the lift and one in the sum of two terms, the term errs
+/// by at most 11u·al·√(bs·cs) ≤ 11u·al·(bs + cs)/2, and 11u/2 = 6.107e-16. The rest of the constant
+/// is for terms of order u² and for the roundings of the bound itself.
+const POWER_BOUND: f64 = 6.2e-16;
+
 /// Bounds the error of the difference of two squared lengths, relative to their sum: four roundings
 /// each (difference, square, sum), 4u = 4.441e-16, and 20u² for what follows.
 const DISTANCE_BOUND: f64 = 4.5e-16;
+
+/// Bounds the error of the difference of two powers, relative to the sum of squared lengths and the
+/// difference of weights: four roundings in each squared length, one in the difference of weights and
+/// one in that of the lengths, 5u = 5.551e-16, and 20u² for what follows.
+const COMPARE_POWERS_BOUND: f64 = 5.6e-16;
 
 /// 2⁻⁹⁶⁰: determinants of two vectors below this are not trusted.
 const FLOOR: f64 = f64::from_bits((1023 - 960) << 52);
@@ -96,15 +113,66 @@ pub(crate) fn in_circle_relative(
     }
 }
 
+/// Finds the sign of the power determinant, positive if `d` is inside the circle of the
+/// counter-clockwise `abc`.
+///
+/// Underflow: differences of weights have none, and with every squared length above 2⁻⁴⁰⁰ the rest
+/// is as in [`in_circle`]: the terms of the bound exceed 2⁻⁸⁰⁰ and dwarf what products lose. Overflow:
+/// a lift is at most al, and a cross product at most (bs + cs)/2, so no term overflows without its
+/// share of the bound.
+#[inline(always)]
+pub(super) fn in_power_circle(
+    a: Weighted,
+    b: Weighted,
+    c: Weighted,
+    d: Weighted,
+) -> Option<Ordering> {
+    let arm = |s: Weighted| [s.point.x - d.point.x, s.point.y - d.point.y];
+    let [[ax, ay], [bx, by], [cx, cy]] = [arm(a), arm(b), arm(c)];
+    let [a_square, b_square, c_square] = [ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy];
+    let [a_rise, b_rise, c_rise] = [a, b, c].map(|s| d.weight - s.weight);
+    let det = (a_square + a_rise) * (bx * cy - by * cx)
+        + (b_square + b_rise) * (cx * ay - cy * ax)
+        + (c_square + c_rise) * (ax * by - ay * bx);
+    let size = (a_square + a_rise.abs()) * (b_square + c_square)
+        + (b_square + b_rise.abs()) * (c_square + a_square)
+        + (c_square + c_rise.abs()) * (a_square + b_square);
+    if a_square > LIFT_FLOOR && b_square > LIFT_FLOOR && c_square > LIFT_FLOOR {
+        certain(det, POWER_BOUND * size)
+    } else {
+        None
+    }
+}
+
 /// Compares the squared lengths of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
-    let square = |q: Point| {
-        let [x, y] = [q.x - p.x, q.y - p.y];
-        x * x + y * y
-    };
-    let [al, bl] = [square(a), square(b)];
+    compare_squares(squared_length([p, a]), squared_length([p, b]))
+}
+
+/// Returns the squared length of a segment: differences, squares and their sum are rounded.
+#[inline(always)]
+pub(crate) fn squared_length([a, b]: [Point; 2]) -> f64 {
+    let [x, y] = [b.x - a.x, b.y - a.y];
+    x * x + y * y
+}
+
+/// Compares two lengths by their [rounded squares](squared_length).
+///
+/// Whoever is certainly shorter than a segment is so, too, than one whose rounded square is larger:
+/// every operation here is monotone.
+#[inline(always)]
+pub(crate) fn compare_squares(al: f64, bl: f64) -> Option<Ordering> {
     certain(al - bl, DISTANCE_BOUND * (al + bl) + FLOOR)
+}
+
+/// Compares the powers of `p` with respect to two sites.
+#[inline(always)]
+pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Option<Ordering> {
+    let [al, bl] = [a, b].map(|site| squared_length([p, site.point]));
+    let rise = b.weight - a.weight;
+    let bound = COMPARE_POWERS_BOUND * (al + bl + rise.abs()) + FLOOR;
+    certain(al - bl + rise, bound)
 }
 
 /// Finds the sign of the dot product of `a − p` and `b − p`.
@@ -113,6 +181,22 @@ pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
     let l = (a.x - p.x) * (b.x - p.x);
     let r = (a.y - p.y) * (b.y - p.y);
     certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the dot product of `b − a` and `q − p`.
+#[inline(always)]
+pub(super) fn towards([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.x - a.x);
+    let r = (q.y - p.y) * (b.y - a.y);
+    certain(l + r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
+}
+
+/// Finds the sign of the cross product of `q − p` and `b − a`.
+#[inline(always)]
+pub(super) fn turning([p, q]: [Point; 2], [a, b]: [Point; 2]) -> Option<Ordering> {
+    let l = (q.x - p.x) * (b.y - a.y);
+    let r = (q.y - p.y) * (b.x - a.x);
+    certain(l - r, ORIENT2D_BOUND * (l.abs() + r.abs()) + FLOOR)
 }
 
 /// Reads the sign of `value` if it is farther from zero than `bound`.

@@ -5,6 +5,8 @@
 //! q, fit 62 bits (sign included), their polynomials fit 128 bits, and the in-circle determinant 256.
 //! On lattices they mostly fit 31 bits, and 128 suffice for everything.
 //!
+//! Weights are in units of q²; to fit they must be multiples of it below 2¹²¹.
+//!
 //! *Cost*: in_circle about 15 ns on lattices, 35 ns otherwise; no branch but for width.
 //!
 //! *How a difference becomes an integer.* Its rounding error is a float again, so it is exactly
@@ -13,7 +15,10 @@
 //! the multiple of s = M·2⁻²⁹, and what is left of head, and tail, must be multiples of q = M·2⁻⁶⁰.
 //! Additions never underflow, so this holds for subnormals too.
 
+use super::Weighted;
+use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
+use super::quotient::Root;
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -38,10 +43,79 @@ pub(super) fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Option<Orderi
     })
 }
 
+/// Finds the sign of the power determinant.
+#[inline(always)]
+pub(super) fn in_power_circle(
+    a: Weighted,
+    b: Weighted,
+    c: Weighted,
+    d: Weighted,
+) -> Option<Ordering> {
+    let (vectors, rises) = lifted([a, b, c], d)?;
+    let mut terms = in_circle_terms(&vectors);
+    for ([lift, _], rise) in terms.iter_mut().zip(rises) {
+        *lift += rise;
+    }
+    Some(sign_of_sum(terms))
+}
+
+/// Finds the sign of the power determinant on a line: with weights lifted, that of how far `p` lies
+/// below the line through `a` and `b`, `a` being the lexicographically smaller one.
+#[inline(always)]
+pub(super) fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> Option<Ordering> {
+    let ([u, v], [u_rise, v_rise]) = lifted([a, b], p)?;
+    let along = usize::from(a.point.x == b.point.x);
+    let [u_lift, v_lift] = [dot(&u, &u) + u_rise, dot(&v, &v) + v_rise];
+    Some(sign_of_sum([
+        [u_lift, v[along]],
+        [-v_lift, u[along]],
+        [0, 0],
+    ]))
+}
+
+/// Vectors on a common lattice, magnitudes at most 2⁶¹, and what weights add to the squared length of
+/// each, magnitudes below 2¹²²; if that fits. On the fine lattice more weights are integers, on the
+/// coarse one larger ones fit.
+#[inline(always)]
+fn lifted<const K: usize>(
+    sites: [Weighted; K],
+    origin: Weighted,
+) -> Option<([[i128; 2]; K], [i128; K])> {
+    let vectors = Vectors::new(sites.map(|s| s.point), origin.point)?;
+    let wide = vectors.wide();
+    if let Some(rises) = rises(sites, origin, 2 * vectors.unit) {
+        return Some((wide, rises));
+    }
+    if !vectors.narrow {
+        return None;
+    }
+    let refined = wide.map(|v| v.map(|c| c << REFINEMENT));
+    let unit = vectors.unit - REFINEMENT.cast_signed();
+    Some((refined, rises(sites, origin, 2 * unit)?))
+}
+
+/// How much less the sites weigh than the origin, in units of 2^`unit`, if that fits.
+#[inline(always)]
+fn rises<const K: usize>(sites: [Weighted; K], origin: Weighted, unit: i32) -> Option<[i128; K]> {
+    let origin = Dyadic::new(origin.weight).fixed(unit)?;
+    let mut rises = [0; K];
+    for (rise, site) in rises.iter_mut().zip(sites) {
+        *rise = origin - Dyadic::new(site.weight).fixed(unit)?;
+    }
+    Some(rises)
+}
+
 /// Compares the squared lengths of `a − p` and `b − p`.
 #[inline(always)]
 pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Option<Ordering> {
     let [u, v] = Vectors::new([a, b], p)?.wide();
+    Some(dot(&u, &u).cmp(&dot(&v, &v)))
+}
+
+/// Compares the squared lengths of two segments.
+#[inline(always)]
+pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Option<Ordering> {
+    let [u, v] = Vectors::along([s, t])?.wide();
     Some(dot(&u, &u).cmp(&dot(&v, &v)))
 }
 
@@ -52,24 +126,72 @@ pub(super) fn diametral(a: Point, b: Point, p: Point) -> Option<Ordering> {
     Some(dot(&u, &v).cmp(&0))
 }
 
+/// Finds the length of a segment.
+#[inline(always)]
+pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
+    let vectors = Vectors::along([ends])?;
+    let [u] = vectors.wide();
+    let square = dot(&u, &u).cast_unsigned();
+    let shift = (square.leading_zeros() & !1).min(126);
+    Root::of(
+        square << shift,
+        true,
+        2 * vectors.unit - shift.cast_signed(),
+    )
+}
+
+/// Finds the radius of the circle through three points, `Some(None)` if they are collinear. They must lie
+/// on a coarse lattice: the product of the squared sides must fit 128 bits, and its quotient by the squared
+/// area must leave enough of them.
+#[inline(always)]
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Option<Root>> {
+    let vectors = Vectors::along([[a, b], [b, c], [c, a]])?;
+    let zeros = vectors.coordinates.as_flattened().iter();
+    let zeros = zeros.fold(0, |all, c| all | c).trailing_zeros();
+    let sides = vectors.wide().map(|side| side.map(|c| c >> zeros));
+    let twice = (2 * cross(&sides[0], &sides[1])).unsigned_abs();
+    if twice == 0 {
+        return Some(None);
+    }
+    let squares = sides.map(|side| dot(&side, &side).cast_unsigned());
+    let product = squares[0]
+        .checked_mul(squares[1])?
+        .checked_mul(squares[2])?;
+    let shift = product.leading_zeros() & !1;
+    let (numerator, divisor) = (product << shift, twice.checked_mul(twice)?);
+    let quotient = numerator / divisor;
+    let is_exact = quotient * divisor == numerator;
+    let unit = vectors.unit + zeros.cast_signed();
+    Root::of(quotient, is_exact, 2 * unit - shift.cast_signed()).map(Some)
+}
+
 /// Vectors on a common lattice, magnitudes at most 2⁶¹.
 struct Vectors<const K: usize> {
     coordinates: [[i64; 2]; K],
     /// Whether magnitudes are at most 2³⁰.
     narrow: bool,
+    /// Coordinates are in units of 2 to this power.
+    unit: i32,
 }
 
 impl<const K: usize> Vectors<K> {
     /// Finds the vectors from `origin` to `points`, up to a common factor, if they fit.
     #[inline(always)]
     fn new(points: [Point; K], origin: Point) -> Option<Self> {
-        let heads = points.map(|p| [p.x - origin.x, p.y - origin.y]);
+        Self::along(points.map(|p| [origin, p]))
+    }
+
+    /// Finds the vectors from the first to the second end of `segments`, up to a common factor, if they
+    /// fit.
+    #[inline(always)]
+    fn along(segments: [[Point; 2]; K]) -> Option<Self> {
+        let heads = segments.map(|[from, to]| [to.x - from.x, to.y - from.y]);
         let coarse = Lattice::for_largest(largest_magnitude(&heads))?;
         let parts: [[Parts; 2]; K] = std::array::from_fn(|i| {
-            let (p, [x, y]) = (points[i], heads[i]);
+            let ([from, to], [x, y]) = (segments[i], heads[i]);
             [
-                Parts::new(coarse, x, tail(p.x, origin.x, x)),
-                Parts::new(coarse, y, tail(p.y, origin.y, y)),
+                Parts::new(coarse, x, tail(to.x, from.x, x)),
+                Parts::new(coarse, y, tail(to.y, from.y, y)),
             ]
         });
         // Bitwise `&` instead of `all`: one branch, not one for each coordinate.
@@ -82,6 +204,7 @@ impl<const K: usize> Vectors<K> {
             return Some(Self {
                 coordinates,
                 narrow,
+                unit: coarse.unit(),
             });
         }
         let fine = coarse.refined();
@@ -90,6 +213,7 @@ impl<const K: usize> Vectors<K> {
         fits.then_some(Self {
             coordinates,
             narrow,
+            unit: fine.unit(),
         })
     }
 
@@ -167,6 +291,12 @@ impl Lattice {
             .then(|| Self::anchored(exponent + 52 - 29))
     }
 
+    /// The exponent of the spacing, which is the unit in the last place of the anchor.
+    #[inline(always)]
+    fn unit(self) -> i32 {
+        (self.anchor.to_bits() >> 52) as i32 - 1075
+    }
+
     /// Makes the lattice that is 2³¹ times finer.
     #[inline(always)]
     fn refined(self) -> Self {
@@ -210,8 +340,8 @@ fn tail(a: f64, b: f64, head: f64) -> f64 {
 
 /// Finds the sign of the sum of three products in 256 bits.
 ///
-/// Factors are at most 2¹²³ in magnitude, so with a = a₁·2⁶⁴ + a₀ each column of partial products
-/// fits 128 bits: |a₁| ≤ 2⁵⁹, and six times 2⁵⁹·2⁶⁴ stays below 2¹²⁷.
+/// Factors are at most 2¹²⁴ in magnitude (2¹²³ without weights), so with a = a₁·2⁶⁴ + a₀ each column
+/// of partial products fits 128 bits: |a₁| ≤ 2⁶⁰, and six times 2⁶⁰·2⁶⁴ stays below 2¹²⁷.
 #[inline(always)]
 fn sign_of_sum(products: [[i128; 2]; 3]) -> Ordering {
     let (mut top, mut middle, mut bottom) = (0_i128, 0_i128, 0_u128);
@@ -247,7 +377,7 @@ mod tests {
     /// All carries and borrows, on factors around powers of two up to the largest allowed.
     #[test]
     fn sign_of_sum_agrees_with_big_integers() {
-        let factors: Vec<i128> = [0, 1, 63, 64, 65, 122, 123]
+        let factors: Vec<i128> = [0, 1, 63, 64, 65, 122, 124]
             .iter()
             .flat_map(|&bits| {
                 let power = 1_i128 << bits;

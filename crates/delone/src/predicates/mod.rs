@@ -3,8 +3,10 @@
 //! Each predicate is the sign of a polynomial in the coordinates, found in up to three
 //! [stages](stage): a floating-point filter with a proven error bound (`filter.rs`), fixed-width
 //! integers for whatever is near a tie (`integer.rs`), and big integers for the rest (`exact.rs`).
-//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). One construction lives
-//! here too, because it is as exact as a rounded number can be: [`crossing_point`].
+//! Ties on a circle are broken by a symbolic perturbation (`perturbation.rs`). Points with weights have
+//! predicates of their own (`power.rs`). Constructions live here too, because they are as exact as
+//! rounded numbers can be: [`crossing_point`], [`circumcenter`] and [`power_center`], and lengths and
+//! circumradii rounded up ([`length_up`], [`circumradius_up`]).
 //!
 //! *Cost*: a few nanoseconds where the filter decides, 15 to 40 in fixed integers, 200 to 800 and
 //! some allocations in big integers (`cargo run --release --example predicate_cost` measures).
@@ -19,17 +21,30 @@
 use crate::Point;
 use std::cmp::Ordering;
 
+mod bisector;
+mod center;
 mod crossing;
 mod double;
+mod dyadic;
 mod exact;
 mod filter;
 mod integer;
 mod perturbation;
 mod polynomial;
+mod power;
 mod quotient;
+mod radius;
 pub mod stage;
 
-pub(crate) use filter::{IN_CIRCLE_BOUND, ORIENT2D_BOUND, in_circle_relative};
+pub(crate) use double::Double;
+pub(crate) use filter::{
+    IN_CIRCLE_BOUND, ORIENT2D_BOUND, compare_squares, in_circle_relative, squared_length,
+};
+pub use power::{
+    Weighted, compare_powers, in_power_circle, in_power_circle_perturbed, in_power_segment,
+    in_power_segment_perturbed, power_center,
+};
+pub(crate) use power::{compare_power_meetings, power_place};
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -178,6 +193,51 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     }
 }
 
+/// Compares the lengths of two segments.
+///
+/// Laws, for all finite points: a total preorder of the segments, reversed when the two are exchanged;
+/// symmetric in the ends of each; segments of no length come first. Where they share an end this is
+/// [`compare_distances`].
+///
+/// ```
+/// use delone::{Point, predicates::compare_lengths};
+/// let tiny = 2_f64.powi(-1000);
+/// let [a, b, c] = [(0.0, 0.0), (3.0 * tiny, 4.0 * tiny), (5.0 * tiny, 0.0)].map(Point::from);
+/// assert!(compare_lengths([a, b], [c, a]).is_eq());
+/// ```
+#[inline]
+pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    match filter::compare_squares(filter::squared_length(s), filter::squared_length(t)) {
+        Some(order) => order,
+        None => compare_lengths_exact(s, t),
+    }
+}
+
+/// [`compare_distances`] for callers who keep the [rounded squares](squared_length).
+#[inline]
+pub(crate) fn compare_squared(p: Point, [a, b]: [Point; 2], [al, bl]: [f64; 2]) -> Ordering {
+    filter::compare_squares(al, bl).unwrap_or_else(|| compare_distances_exact(p, a, b))
+}
+
+/// Tells where `p` lies relative to the circle of `radius` about `center`; of a negative radius the
+/// absolute value counts. The radius must be finite, too.
+///
+/// Laws, for all finite points: symmetric in `center` and `p`; agrees with [`compare_distances`] where the
+/// distance to some point is `radius` exactly; if `p` equals `center`, it is `Inside`, or `On` if the radius
+/// is zero.
+///
+/// ```
+/// use delone::{Point, predicates::{CircleSide, in_disc}};
+/// let [c, p] = [Point::new(1e16, 0.0), Point::new(1e16 + 3e300, 4e300)];
+/// assert_eq!(in_disc(Point::new(0.0, 0.0), 5.0, Point::new(3.0, 4.0)), CircleSide::On);
+/// assert_eq!(in_disc(c, 5e300, p), in_disc(p, 5e300, c));
+/// ```
+#[inline]
+pub fn in_disc(center: Point, radius: f64, p: Point) -> CircleSide {
+    let arm = [Point::new(0.0, 0.0), Point::new(radius, 0.0)];
+    CircleSide::from_sign(compare_lengths([center, p], arm).reverse())
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`.
 ///
 /// Laws, for all finite points: symmetric in `a` and `b`; the ends themselves are `On`; if `a`
@@ -235,6 +295,67 @@ pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<Point> {
     cross_properly(s, t).then(|| construct_crossing(s, t))
 }
 
+/// Returns the center of the circle through three points, each coordinate the `f64` nearest to the exact
+/// one (of two, the even one); `None` if they lie on one line.
+///
+/// A coordinate beyond the largest `f64` becomes that number.
+///
+/// Laws, for all finite points: symmetric in the three; the same for any three of a set of points on one
+/// circle; multiplying all coordinates by a power of two multiplies the result as long as nothing is
+/// rounded.
+///
+/// ```
+/// use delone::predicates::circumcenter;
+/// let [a, b, c] = [(0.0, 0.0), (6.0, 0.0), (0.0, 8.0)].map(Into::into);
+/// assert_eq!(circumcenter(a, b, c), Some((3.0, 4.0).into()));
+/// assert_eq!(circumcenter(a, b, b), None);
+/// ```
+pub fn circumcenter(a: Point, b: Point, c: Point) -> Option<Point> {
+    center::circumcenter([a, b, c])
+}
+
+/// Returns the length of a segment, rounded up: the smallest `f64` that is not less, infinite beyond the
+/// largest.
+///
+/// Laws, for all finite points: for every `f64` r, the length is at most r if and only if
+/// `length_up(s) <= r`; symmetric in the ends; zero only if they are equal; whoever is
+/// [not longer](compare_lengths) has no larger one; multiplying all coordinates by a power of two
+/// multiplies the result as long as nothing leaves the range of normal numbers.
+///
+/// ```
+/// use delone::predicates::length_up;
+/// let tiny = 2_f64.powi(-1000);
+/// assert_eq!(length_up([(0.0, 0.0), (3.0 * tiny, 4.0 * tiny)].map(Into::into)), 5.0 * tiny);
+/// let diagonal = length_up([(0.0, 0.0), (1.0, 1.0)].map(Into::into));
+/// assert!(diagonal == 2_f64.sqrt(), "which happens to be rounded up itself");
+/// ```
+pub fn length_up(s: [Point; 2]) -> f64 {
+    radius::length(s).0
+}
+
+/// Returns half the length of a segment, rounded up, which may be finite where the length is not.
+pub(crate) fn half_length_up(s: [Point; 2]) -> f64 {
+    radius::half_length(s).0
+}
+
+/// Returns the radius of the circle through three points, rounded up: the smallest `f64` that is not
+/// less, infinite beyond the largest, and if the points are collinear.
+///
+/// Laws, for all finite points: for every finite `f64` r, the radius is at most r if and only if
+/// `circumradius_up(a, b, c) <= r`; symmetric in the points; not less than half of each
+/// [length](length_up) between them; multiplying all coordinates by a power of two multiplies the result
+/// as long as nothing leaves the range of normal numbers.
+///
+/// ```
+/// use delone::predicates::circumradius_up;
+/// let [a, b, c] = [(0.0, 0.0), (6.0, 0.0), (6.0, 8.0)].map(Into::into);
+/// assert_eq!(circumradius_up(a, b, c), 5.0);
+/// assert_eq!(circumradius_up(a, b, b), f64::INFINITY);
+/// ```
+pub fn circumradius_up(a: Point, b: Point, c: Point) -> f64 {
+    radius::circumradius([a, b, c]).0
+}
+
 /// [`crossing_point`] for callers who know that the segments cross properly.
 pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
     crossing::crossing(s, t).0
@@ -245,6 +366,32 @@ pub(crate) fn construct_crossing(s: [Point; 2], t: [Point; 2]) -> Point {
 pub(crate) fn point_between([a, b]: [Point; 2], t: f64) -> Point {
     let [x, y] = [[a.x, b.x], [a.y, b.y]].map(|ends| double::interpolated(ends, t));
     Point::new(x, y)
+}
+
+/// Tells whether the way from `p` to `q` leads from `a` towards `b`: the sign of the dot product of the two
+/// vectors.
+pub(crate) fn towards(way: [Point; 2], ends: [Point; 2]) -> Ordering {
+    filter::towards(way, ends).unwrap_or_else(|| exact::towards(way, ends))
+}
+
+/// Tells whether `b` lies to the left or right of `a` for someone who looks from `p` to `q`.
+pub(crate) fn turning(way: [Point; 2], ends: [Point; 2]) -> Orientation {
+    let sign = filter::turning(way, ends).unwrap_or_else(|| exact::turning(way, ends));
+    Orientation::from_sign(sign)
+}
+
+/// Compares where a way, going on for ever, comes to be as near to `a` as to `site`, and where as near to
+/// `b`. It must lead from `site` [towards] both.
+pub(crate) fn compare_meetings(way: [Point; 2], site: Point, a: Point, b: Point) -> Ordering {
+    bisector::compare(way, site, a, b).unwrap_or_else(|| {
+        exact::compare_meetings(way, [site, a, b].map(|p| Weighted::new(p, 0.0)))
+    })
+}
+
+/// Returns the point of a segment that is equally far from two sites, each coordinate the `f64` nearest to
+/// the exact one. There must be exactly one such point between its ends, or at one.
+pub(crate) fn bisector_place(segment: [Point; 2], a: Point, b: Point) -> Point {
+    bisector::place(segment, a, b)
 }
 
 /// Tells whether a segment passes `p` as far as `f64` can tell: its point of the same abscissa, or of
@@ -292,6 +439,13 @@ fn in_circle_exact(a: Point, b: Point, c: Point, d: Point) -> CircleSide {
 #[inline(never)]
 fn compare_distances_exact(p: Point, a: Point, b: Point) -> Ordering {
     integer::compare_distances(p, a, b).unwrap_or_else(|| exact::compare_distances(p, a, b))
+}
+
+/// [`compare_lengths`] for callers whose own filter has failed.
+#[cold]
+#[inline(never)]
+pub(crate) fn compare_lengths_exact(s: [Point; 2], t: [Point; 2]) -> Ordering {
+    integer::compare_lengths(s, t).unwrap_or_else(|| exact::compare_lengths(s, t))
 }
 
 #[cold]

@@ -2,7 +2,10 @@
 //!
 //! Answers are those of the functions of the same name [one level up](super).
 
-use super::{CircleSide, Orientation, crossing, exact, filter, integer, perturbation};
+use super::power::segment_sign;
+use super::{
+    CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation, radius,
+};
 use crate::Point;
 use std::cmp::Ordering;
 
@@ -59,6 +62,22 @@ pub fn compare_distances(p: Point, a: Point, b: Point) -> (Ordering, Stage) {
     )
 }
 
+/// Compares the lengths of two segments, and tells which stage found the order.
+pub fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> (Ordering, Stage) {
+    first(
+        filter::compare_squares(filter::squared_length(s), filter::squared_length(t)),
+        || integer::compare_lengths(s, t),
+        || exact::compare_lengths(s, t),
+    )
+}
+
+/// Tells where `p` lies relative to the circle about `center`, and which stage found it.
+pub fn in_disc(center: Point, radius: f64, p: Point) -> (CircleSide, Stage) {
+    let arm = [Point::new(0.0, 0.0), Point::new(radius, 0.0)];
+    let (order, stage) = compare_lengths([center, p], arm);
+    (CircleSide::from_sign(order.reverse()), stage)
+}
+
 /// Tells where `p` lies relative to the circle with diameter `ab`, and which stage found it.
 pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) {
     let (sign, stage) = first(
@@ -69,10 +88,43 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> (CircleSide, Stage) 
     (CircleSide::from_sign(sign.reverse()), stage)
 }
 
+/// Tells where `d` lies relative to the power circle of the counter-clockwise `a`, `b`, `c`, and which
+/// stage found it.
+pub fn in_power_circle(a: Weighted, b: Weighted, c: Weighted, d: Weighted) -> (CircleSide, Stage) {
+    let (sign, stage) = first(
+        filter::in_power_circle(a, b, c, d),
+        || integer::in_power_circle(a, b, c, d),
+        || exact::in_power_circle(a, b, c, d),
+    );
+    (CircleSide::from_sign(sign), stage)
+}
+
+/// Tells where `p` lies relative to the power interval of `a` and `b` on its line, and which stage
+/// found it; there is no filter for this.
+pub fn in_power_segment(a: Weighted, b: Weighted, p: Weighted) -> (CircleSide, Stage) {
+    let (sign, is_fixed) = segment_sign(a, b, p);
+    let stage = if is_fixed {
+        Stage::Integer
+    } else {
+        Stage::BigInteger
+    };
+    (CircleSide::from_sign(sign), stage)
+}
+
 /// Returns the point where the segments cross properly, correctly rounded, and which stage found it;
 /// there are no fixed-width integers for this.
 pub fn crossing_point(s: [Point; 2], t: [Point; 2]) -> Option<(Point, Stage)> {
     super::cross_properly(s, t).then(|| crossing::crossing(s, t))
+}
+
+/// Returns the length of a segment, rounded up, and which stage found it.
+pub fn length_up(s: [Point; 2]) -> (f64, Stage) {
+    radius::length(s)
+}
+
+/// Returns the radius of the circle through three points, rounded up, and which stage found it.
+pub fn circumradius_up(a: Point, b: Point, c: Point) -> (f64, Stage) {
+    radius::circumradius([a, b, c])
 }
 
 /// Takes the answer of the first stage that has one.

@@ -1,11 +1,12 @@
 //! The laws that the documentation of the predicates states, on all families.
 
 use crate::families::FAMILIES;
+use crate::oracle;
 use crate::random::Random;
 use delone::Point;
 use delone::predicates::{
-    CircleSide, Orientation, compare_distances, in_circle, in_circle_perturbed,
-    in_diametral_circle, orient2d,
+    CircleSide, Orientation, compare_distances, compare_lengths, in_circle, in_circle_perturbed,
+    in_diametral_circle, in_disc, orient2d, stage,
 };
 use std::cmp::Ordering;
 
@@ -43,6 +44,38 @@ fn orient2d_laws() {
         assert_eq!(orient2d(a, c, b), found.reversed());
         assert_eq!(orient2d(a, a, c), Orientation::Collinear);
         assert_eq!(orient2d(a, c, c), Orientation::Collinear);
+    });
+}
+
+/// Distances that are exact along an axis, rounded ones, their neighbours, and numbers that have nothing to
+/// do with them.
+#[test]
+fn in_disc_agrees_with_rational_arithmetic() {
+    on_all_families(|[a, b, c, _]| {
+        let along = (b.x - a.x).abs();
+        let rounded = along.hypot(b.y - a.y);
+        let radii = [
+            along,
+            rounded,
+            rounded.next_up(),
+            rounded.next_down(),
+            c.x,
+            c.y,
+            0.0,
+        ];
+        let level = Point::new(b.x, a.y);
+        for radius in radii.into_iter().filter(|r| r.is_finite()) {
+            for p in [b, level] {
+                let expected = match oracle::in_disc(a, radius, p) {
+                    Ordering::Less => CircleSide::Inside,
+                    Ordering::Equal => CircleSide::On,
+                    Ordering::Greater => CircleSide::Outside,
+                };
+                assert_eq!(in_disc(a, radius, p), expected, "{a:?} {radius} {p:?}");
+                assert_eq!(in_disc(p, -radius, a), expected);
+                assert_eq!(stage::in_disc(a, radius, p).0, expected);
+            }
+        }
     });
 }
 
@@ -119,6 +152,18 @@ fn distance_laws() {
         if order(a, b).is_le() && order(b, c).is_le() {
             assert!(order(a, c).is_le());
         }
+    });
+}
+
+#[test]
+fn length_laws() {
+    on_all_families(|[a, b, c, d]| {
+        let found = compare_lengths([a, b], [c, d]);
+        assert_eq!(compare_lengths([c, d], [a, b]), found.reverse());
+        assert_eq!(compare_lengths([b, a], [c, d]), found);
+        assert_eq!(compare_lengths([a, b], [d, c]), found);
+        assert_eq!(compare_lengths([a, b], [c, c]).is_eq(), a == b);
+        assert_eq!(compare_lengths([a, b], [a, c]), compare_distances(a, b, c));
     });
 }
 

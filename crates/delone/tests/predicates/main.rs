@@ -1,12 +1,14 @@
 //! The predicates against rational arithmetic, fixtures and their own laws.
 //!
-//! `DELONE_CASES=n` makes n cases of each family (default 20,000); each case asks five predicates.
+//! `DELONE_CASES=n` makes n cases of each family (default 20,000); each case asks every predicate.
 
 mod crossing;
 mod families;
 mod fixtures;
 mod laws;
 mod oracle;
+mod power;
+mod radius;
 mod random;
 mod stages;
 
@@ -151,6 +153,17 @@ fn compare_distances_is_exact() {
             "{name}: {p:?} {a:?} {b:?}"
         );
         assert_eq!(predicates::compare_distances(p, a, b), found);
+        stage
+    });
+}
+
+#[test]
+fn compare_lengths_is_exact() {
+    run_all(|family, [a, b, c, d]| {
+        let (found, stage) = stage::compare_lengths([a, b], [c, d]);
+        let expected = oracle::compare_lengths([[a, b], [c, d]]);
+        assert_eq!(found, expected, "{}: {a:?} {b:?} {c:?} {d:?}", family.name);
+        assert_eq!(predicates::compare_lengths([a, b], [c, d]), found);
         stage
     });
 }

@@ -2,7 +2,8 @@
 
 use delone::Point;
 use delone::predicates::stage::{
-    Stage, compare_distances, in_circle, in_circle_perturbed, in_diametral_circle, orient2d,
+    Stage, compare_distances, compare_lengths, in_circle, in_circle_perturbed, in_diametral_circle,
+    in_disc, orient2d,
 };
 use delone::predicates::{CircleSide, Orientation};
 use std::cmp::Ordering;
@@ -44,6 +45,16 @@ fn ties_on_a_lattice_stop_at_integers() {
             (CircleSide::On, Stage::Integer)
         );
     }
+}
+
+#[test]
+fn discs_on_a_lattice_stop_at_integers() {
+    let [c, p, q] = points([(1.0, 1.0), (4.0, 5.0), (4.0, 5.0 + 4.0 * ULP)]);
+    assert_eq!(in_disc(c, 6.0, p), (CircleSide::Inside, Stage::Filter));
+    assert_eq!(in_disc(c, 5.0, p), (CircleSide::On, Stage::Integer));
+    assert_eq!(in_disc(c, 5.0, q), (CircleSide::Outside, Stage::Integer));
+    let [far] = points([(3e300, 4e300)]);
+    assert_eq!(in_disc(c, 5e300, far).1, Stage::BigInteger);
 }
 
 /// One more or one less in the last place of a coordinate decides, and 62 bits are enough to see it.
@@ -90,6 +101,31 @@ fn large_offsets_stay_fixed_width() {
     assert_eq!(orient2d(a, b, a), (Orientation::Collinear, Stage::Integer));
     let [d] = points([(far + step, 2.0 * near)]);
     assert_eq!(in_circle(a, c, d, b), (CircleSide::On, Stage::Integer));
+}
+
+/// Lengths of segments far from each other: only the segments themselves must fit.
+#[test]
+fn lengths_are_compared_wherever_the_segments_lie() {
+    let (far, near) = (2_f64.powi(60), 2_f64.powi(-40));
+    let step = 2_f64.powi(8);
+    let [a, b] = points([(far, near), (far + 3.0 * step, near + 4.0 * step)]);
+    let [c, d] = points([(0.0, 0.0), (5.0 * step, 0.0)]);
+    let [e] = points([(5.0 * step * (1.0 + ULP), 0.0)]);
+    assert_eq!(
+        compare_lengths([a, b], [c, d]),
+        (Ordering::Equal, Stage::Integer)
+    );
+    assert_eq!(
+        compare_lengths([a, b], [c, e]),
+        (Ordering::Less, Stage::Integer)
+    );
+    let [f] = points([(5.0 * step, 1e-30)]);
+    assert_eq!(
+        compare_lengths([a, b], [c, f]),
+        (Ordering::Less, Stage::BigInteger)
+    );
+    let [g, h] = points([(0.0, 0.0), (0.0, 1e200)]);
+    assert_eq!(compare_lengths([a, b], [g, h]).0, Ordering::Less);
 }
 
 #[test]

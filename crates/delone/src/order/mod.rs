@@ -1,10 +1,13 @@
-//! Spatial order: Morton keys, a stable radix sort, and the points themselves moved, so that
-//! neighbours in the plane become neighbours in memory.
+//! Spatial order: Morton keys and a stable radix sort, so that neighbours in the plane become
+//! neighbours in memory, whether they are points of an input or questions about one.
 
-use super::frame::{Frame, split_power};
+mod frame;
+
+pub(crate) use frame::{Axis, Frame, exponent, split_power};
+
 use crate::memory::reserve;
 use crate::parallel::Workers;
-use crate::{Phase, Point, Watch};
+use crate::{Point, Watch};
 use std::mem::MaybeUninit;
 
 /// Elements between two looks at the watch.
@@ -12,42 +15,13 @@ const BLOCK: usize = 1 << 18;
 /// Up to this size a comparison sort is as fast as clearing the histograms.
 const FEW: usize = 1 << 10;
 
-/// Points in curve order with their keys, each with one more element that stands for infinity.
-pub(super) struct Ordered {
-    pub points: Vec<Point>,
-    /// The key in the high half, the caller's index in the low half.
-    pub keys: Vec<u64>,
-}
-
-/// Where the point at infinity is put: beyond every ordinary point, and with a square that does not
-/// overflow. No decision rests on it; it only lets the filter find most ghosts outside by itself.
-const FAR: f64 = f64::from_bits((1023 + 400) << 52);
-
-/// Orders `points` by their keys in `frame`, equal keys by index, and multiplies them by 2^`scale`;
-/// `None` if the watch cancelled.
+/// Sorts the keys that `key` gives to `points`, equal ones by index, with room for one more; the key
+/// is the high half, the index the low half. `None` if the watch cancelled.
 ///
-/// *Cost*: O(n) time, 24 bytes a point.
-pub(super) fn order(
+/// *Cost*: O(n) time, 16 bytes a point.
+pub(crate) fn sorted_keys(
     points: &[Point],
-    frame: &Frame,
-    radix: Radix,
-    scale: i32,
-    workers: Workers,
-    watch: &dyn Watch,
-) -> Option<Ordered> {
-    let mut keys = sorted_keys(points, frame, radix, workers, watch)?;
-    watch.progress(Phase::Sort, 1, 2);
-    let points = gather(points, &keys, scale, workers, watch)?;
-    keys.push(u64::MAX);
-    watch.progress(Phase::Sort, 2, 2);
-    Some(Ordered { points, keys })
-}
-
-/// Sorts the keys of `points` in `frame`, equal ones by index, with room for one more; the key is
-/// the high half, the index the low half. `None` if the watch cancelled.
-pub(super) fn sorted_keys(
-    points: &[Point],
-    frame: &Frame,
+    key: impl Fn(Point) -> u32 + Sync,
     radix: Radix,
     workers: Workers,
     watch: &dyn Watch,
@@ -61,7 +35,7 @@ pub(super) fn sorted_keys(
         .zip((0..).step_by(chunk))
         .collect();
     let counts = workers.map(jobs, |((keys, points), first)| {
-        fill(keys, points, first, frame, radix.digit_at(0))
+        fill(keys, points, first, &key, radix.digit_at(0))
     });
     // SAFETY: the jobs have written the first n keys.
     unsafe { keys.set_len(n) };
@@ -78,7 +52,7 @@ fn fill(
     keys: &mut [MaybeUninit<u64>],
     points: &[Point],
     first: u64,
-    frame: &Frame,
+    key_of: impl Fn(Point) -> u32,
     digit: Digit,
 ) -> Vec<u32> {
     let mut counts = vec![0; digit.buckets];
@@ -89,7 +63,7 @@ fn fill(
         .zip((first..).step_by(512))
     {
         for ((key, &p), index) in keys.iter_mut().zip(points).zip(first..) {
-            key.write(u64::from(frame.key(p)) << 32 | index);
+            key.write(u64::from(key_of(p)) << 32 | index);
         }
         // SAFETY: the loop has written all keys of this block.
         digit.count(unsafe { keys.assume_init_ref() }, &mut counts);
@@ -238,47 +212,9 @@ impl Places {
     }
 }
 
-/// Collects the points in the order of the keys.
-fn gather(
-    points: &[Point],
-    keys: &[u64],
-    scale: i32,
-    workers: Workers,
-    watch: &dyn Watch,
-) -> Option<Vec<Point>> {
-    let n = keys.len();
-    let factors = split_power(scale);
-    let mut ordered = reserve::<Point>(n + 1);
-    let chunk = workers.chunk_len(n, 4).min(BLOCK);
-    let jobs = ordered.spare_capacity_mut()[..n]
-        .chunks_mut(chunk)
-        .zip(keys.chunks(chunk))
-        .collect();
-    let finished = workers.map(
-        jobs,
-        |(ordered, keys): (&mut [MaybeUninit<Point>], &[u64])| {
-            if watch.is_cancelled() {
-                return None;
-            }
-            for (to, &key) in ordered.iter_mut().zip(keys) {
-                let p = points[key as u32 as usize];
-                // Adding zero turns −0.0 into 0.0.
-                let place = |c: f64| c * factors[0] * factors[1] + 0.0;
-                to.write(Point::new(place(p.x), place(p.y)));
-            }
-            Some(())
-        },
-    );
-    finished.into_iter().collect::<Option<()>>()?;
-    // SAFETY: the jobs have written the first n points.
-    unsafe { ordered.set_len(n) };
-    ordered.push(Point::new(FAR, FAR));
-    Some(ordered)
-}
-
 /// How keys are sorted: the number of their bits, and of the bits sorted in one pass.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Radix {
+pub(crate) struct Radix {
     pub bits: u32,
     digit: u32,
 }
@@ -321,7 +257,6 @@ impl Radix {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::delaunay::input::Extent;
     use crate::parallel::with_workers;
 
     fn scattered(n: u32) -> Vec<Point> {
@@ -331,39 +266,34 @@ mod tests {
             .collect()
     }
 
-    fn ordered(points: &[Point], threads: usize) -> Ordered {
-        let extent = Extent::of(points);
+    fn sorted(points: &[Point], threads: usize) -> Vec<u64> {
         let radix = Radix::for_points(points.len());
-        let frame = Frame::new(extent.min, extent.max, radix.bits);
+        let frame = Frame::new([0.0; 2], [1008.0; 2], radix.bits);
         with_workers(Some(threads), |workers| {
-            order(points, &frame, radix, 0, workers, &())
+            sorted_keys(points, |p| frame.key(p), radix, workers, &())
         })
         .unwrap()
         .unwrap()
     }
 
     #[test]
-    fn keys_come_sorted_and_stable_with_their_points() {
+    fn keys_come_sorted_and_each_index_once() {
         for n in [1, 7, 1000, 1025, 9000, 50_000] {
-            let points = scattered(n);
-            let Ordered {
-                points: sorted,
-                keys,
-            } = ordered(&points, 1);
+            let keys = sorted(&scattered(n), 1);
             assert!(
                 keys.is_sorted(),
                 "{n}: equal keys stay in the order of their indices"
             );
-            for (p, key) in sorted.iter().zip(&keys[..n as usize]) {
-                assert_eq!(*p, points[*key as u32 as usize]);
-            }
+            let mut indices: Vec<u32> = keys.iter().map(|&key| key as u32).collect();
+            indices.sort_unstable();
+            assert!(indices.into_iter().eq(0..n));
         }
     }
 
     #[test]
     fn threads_do_not_change_the_order() {
         let points = scattered(100_000);
-        assert_eq!(ordered(&points, 1).keys, ordered(&points, 3).keys);
+        assert_eq!(sorted(&points, 1), sorted(&points, 3));
     }
 
     #[test]
@@ -380,25 +310,5 @@ mod tests {
                 assert_eq!(sorted.unwrap().unwrap(), expected);
             }
         }
-    }
-
-    #[test]
-    fn negative_zero_becomes_zero() {
-        let sorted = ordered(&[Point::new(-0.0, 1.0)], 1).points;
-        assert!(sorted[0].x.is_sign_positive());
-    }
-
-    struct Impatient;
-    impl Watch for Impatient {
-        fn is_cancelled(&self) -> bool {
-            true
-        }
-    }
-
-    #[test]
-    fn a_watch_can_cancel() {
-        let points = scattered(5000);
-        let result = crate::Delaunay::new().watch(&Impatient).triangulate(points);
-        assert_eq!(result.unwrap_err(), crate::Error::Cancelled);
     }
 }

@@ -8,7 +8,7 @@ use crate::Point;
 
 /// The axis along which a cut separates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(crate) enum Axis {
     /// The left part has smaller x.
     X,
     /// The lower part has smaller y.
@@ -17,7 +17,7 @@ pub(super) enum Axis {
 
 /// Turns points of one bounding box into keys, and bits of keys into axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// How many boxes this one lies in: a group of equal keys gets a frame of its own.
     pub generation: u32,
     /// For each axis one half if a difference of two coordinates might overflow, else one.
@@ -109,7 +109,7 @@ fn spread(v: u32) -> u32 {
 }
 
 /// The binary exponent of a positive number: −1074 for the least subnormal.
-pub(super) fn exponent(value: f64) -> i32 {
+pub(crate) fn exponent(value: f64) -> i32 {
     let bits = value.to_bits() & !(1 << 63);
     match (bits >> 52) as i32 {
         0 => -1011 - bits.leading_zeros() as i32,
@@ -124,12 +124,12 @@ fn mantissa(value: f64) -> f64 {
 }
 
 /// Two factors whose product is 2^e, −2044 ≤ e ≤ 2046.
-pub(super) fn split_power(e: i32) -> [f64; 2] {
+pub(crate) fn split_power(e: i32) -> [f64; 2] {
     [power_of_two(e / 2), power_of_two(e - e / 2)]
 }
 
 /// 2^e for −1022 ≤ e ≤ 1023.
-pub(super) fn power_of_two(e: i32) -> f64 {
+pub(crate) fn power_of_two(e: i32) -> f64 {
     f64::from_bits(((e + 1023) as u64) << 52)
 }
 

@@ -1,0 +1,113 @@
+//! Many queries at once: in the order of a space-filling curve, so that each begins where the one before
+//! has ended and what it reads is still at hand, and on several threads.
+
+use crate::order::{Frame, Radix, sorted_keys};
+use crate::parallel::{Workers, with_workers};
+use crate::{Error, Phase, Point, Watch};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+/// Queries that are answered in a row, and between two looks at the watch.
+const RUN: usize = 1 << 12;
+
+/// Refuses a point with a coordinate that is NaN or infinite.
+pub(crate) fn check_finite(points: &[Point]) -> Result<(), Error> {
+    match points.iter().position(|p| !p.is_finite()) {
+        None => Ok(()),
+        Some(index) => {
+            let Point { x, y } = points[index];
+            Err(Error::NotFinite { index, x, y })
+        }
+    }
+}
+
+/// Where what is asked about lies: queries outside of it are sorted as if they were at its border.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spread {
+    bounds: [[f64; 2]; 2],
+}
+
+impl Spread {
+    /// Spreads queries over the box around `points`, of which there is at least one.
+    pub fn around<'p>(points: impl IntoIterator<Item = &'p Point>) -> Self {
+        let none = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let bounds = points.into_iter().fold(none, |[min, max], p| {
+            [
+                [min[0].min(p.x), min[1].min(p.y)],
+                [max[0].max(p.x), max[1].max(p.y)],
+            ]
+        });
+        Self { bounds }
+    }
+
+    /// Answers the query at each of `points`, and returns the answers in their order. The watch is told of
+    /// the phase. Points that are not finite get their turn, too.
+    ///
+    /// `answer` gets what it left behind the time before, at first what `begin` returns, and the point. What
+    /// it answers must not depend on what was left behind.
+    pub fn answer<S, A: Send>(
+        &self,
+        points: &[Point],
+        threads: Option<usize>,
+        (watch, phase): (&dyn Watch, Phase),
+        begin: impl Fn() -> S + Sync,
+        answer: impl Fn(&mut S, Point) -> A + Sync,
+    ) -> Result<Vec<A>, Error> {
+        let answers = with_workers(threads, |workers| {
+            let keys = self.sorted(points, workers, watch)?;
+            let done = AtomicU64::new(0);
+            let mut answers = Vec::with_capacity(points.len());
+            let places = Places(answers.as_mut_ptr());
+            let finished = workers.map(keys.chunks(RUN).collect(), |keys: &[u64]| {
+                if watch.is_cancelled() {
+                    return None;
+                }
+                let mut state = begin();
+                let indices = || keys.iter().map(|&key| key as u32 as usize);
+                // All at once: they lie far from each other in memory.
+                let asked: Vec<Point> = indices().map(|i| points[i]).collect();
+                for (i, p) in indices().zip(asked) {
+                    let answer = answer(&mut state, p);
+                    // SAFETY: the keys hold each index of `points` once, and there is room for as many.
+                    unsafe { places.put(i, answer) };
+                }
+                let run = keys.len() as u64;
+                let done = done.fetch_add(run, Relaxed) + run;
+                watch.progress(phase, done, points.len() as u64);
+                Some(())
+            });
+            finished.into_iter().collect::<Option<()>>()?;
+            // SAFETY: every place has been written.
+            unsafe { answers.set_len(points.len()) };
+            Some(answers)
+        })?;
+        answers.ok_or(Error::Cancelled)
+    }
+
+    /// Sorts queries along the curve; their numbers are the low halves. `None` if the watch cancelled.
+    fn sorted(&self, points: &[Point], workers: Workers, watch: &dyn Watch) -> Option<Vec<u64>> {
+        let radix = Radix::for_points(points.len());
+        let [min, max] = self.bounds;
+        let frame = Frame::new(min, max, radix.bits);
+        let key = |p: Point| {
+            // NaN stays, and has key 0.
+            let [x, y] = [p.x.clamp(min[0], max[0]), p.y.clamp(min[1], max[1])];
+            frame.key(Point::new(x, y))
+        };
+        sorted_keys(points, key, radix, workers, watch)
+    }
+}
+
+/// Where several threads put answers, each to places of its own.
+struct Places<A>(*mut A);
+// SAFETY: every thread writes its own places only, and what it writes may be sent.
+unsafe impl<A: Send> Sync for Places<A> {}
+
+impl<A> Places<A> {
+    /// # Safety
+    /// `place` must be inside the target, and nobody else may write it.
+    #[inline(always)]
+    unsafe fn put(&self, place: usize, answer: A) {
+        // SAFETY: as promised by the caller.
+        unsafe { self.0.add(place).write(answer) }
+    }
+}
