@@ -6,7 +6,7 @@
 use super::engine::Engine;
 use super::job::{Answer, Job};
 use super::question::Question;
-use crate::process::{Launcher, Outcome};
+use crate::process::{Fault, Launcher};
 use delone_samples::Distribution;
 use std::time::Duration;
 
@@ -120,9 +120,9 @@ impl Plan {
 
     fn ask(&self, launcher: &Launcher, job: Job) -> Result<Answer, String> {
         match launcher.answer(&job.to_args(), self.timeout) {
-            Outcome::Done(answer) => Ok(answer),
-            Outcome::Failed { how, message } => Err(format!("{how}: {message}")),
-            Outcome::TimedOut(limit) => Err(format!("> {:.0} s", limit.as_secs_f64())),
+            Ok(answer) => Ok(answer),
+            Err(Fault::Failed { how, message }) => Err(format!("{how}: {message}")),
+            Err(Fault::TimedOut(limit)) => Err(format!("> {:.0} s", limit.as_secs_f64())),
         }
     }
 }
