@@ -141,8 +141,11 @@ impl Interpolate {
     }
 
     fn outputs(&self) -> Result<Outputs, Failure> {
-        let content = match self.queries {
-            Some(_) => Content::Points,
+        let content = match &self.queries {
+            Some(queries) => {
+                self.task.require_apart(queries)?;
+                Content::Points
+            }
             None => Content::Raster,
         };
         let outputs = self.task.outputs(|_| content, Content::Relief, None)?;

@@ -73,6 +73,7 @@ impl Nearest {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         let task = &self.task;
+        task.require_apart(&self.queries)?;
         let outputs = task.outputs(|_| Content::Links, Content::Picture, None)?;
         let progress = Progress::new(quiet);
         let mut phases = Phases::default();

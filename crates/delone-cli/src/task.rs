@@ -72,6 +72,15 @@ impl Task {
         Ok(outputs)
     }
 
+    /// Requires that a second file is not standard input, too.
+    pub fn require_apart(&self, path: &Path) -> Result<(), Failure> {
+        if path != Path::new("-") || self.input != path {
+            return Ok(());
+        }
+        let clash = "standard input can be read but once; name a file for one of the inputs";
+        Err(Failure::Usage(clash.to_owned()))
+    }
+
     /// Reads the points, which no output may overwrite.
     pub fn points(
         &self,
@@ -107,10 +116,6 @@ impl Task {
 
     /// Opens a second file, which has a format of its own.
     pub fn open_another(&self, path: &Path) -> Result<Input, Failure> {
-        if [path, self.input.as_path()].map(Path::as_os_str) == ["-"; 2] {
-            let clash = "standard input can be read but once; name a file for one of the inputs";
-            return Err(Failure::Usage(clash.to_owned()));
-        }
         self.reading.of_another_file().open(path)
     }
 

@@ -133,6 +133,9 @@ impl Voronoi {
     }
 
     fn outputs(&self) -> Result<Outputs, Failure> {
+        if let Some(file) = self.clipping.file() {
+            self.task.require_apart(file)?;
+        }
         let sites = self.sites.clone().map(|path| (path, Content::Sites));
         let content = |path: &Path| match is_diagram(path) {
             true => Content::Diagram,

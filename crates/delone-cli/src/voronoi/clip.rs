@@ -51,6 +51,14 @@ fn clip(text: &str) -> Result<Clip, String> {
 }
 
 impl Clipping {
+    /// Returns the file to clip to, if one is named.
+    pub fn file(&self) -> Option<&Path> {
+        match &self.clip {
+            Some(Clip::File(path)) => Some(path),
+            _ => None,
+        }
+    }
+
     /// Makes the domain; no output may overwrite its file.
     pub fn domain(
         &self,
