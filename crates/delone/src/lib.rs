@@ -73,6 +73,7 @@
 //!
 //! - [`triangulate`], [`Delaunay`]: a whole point set, on several threads, watched if you like;
 //!   [`delaunay::Incremental`]: point by point.
+//! - [`edit::LiveTriangulation`]: vertices and constraints that come, go and move, with transactions.
 //! - [`Pslg`], [`ConstrainedDelaunay`]: a domain; [`ConstrainedTriangulation`]: its triangles and
 //!   constrained edges, the regions, and the lineage of vertices and segments.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
@@ -83,7 +84,11 @@
 //! - [`regular`]: points with weights, their triangulation, and hidden points.
 //! - [`check`]: the verifier, which shares nothing with the builders, and measures of quality.
 //! - [`locate`]: the triangle of a point. [`nearest`]: the nearest vertices, the k nearest, those within a
-//!   radius. [`predicates`]: the exact signs.
+//!   radius. [`proximity`]: closest pair, spanning tree, clusters, neighbourhood graphs, alpha shapes, empty
+//!   circles, tours.
+//! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
+//!   vertices, gradients, rasters, contour lines.
+//! - [`predicates`]: the exact signs.
 //!
 //! # Features
 //!

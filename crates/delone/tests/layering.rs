@@ -52,6 +52,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "memory",
             "parallel",
             "order",
+            "pace",
         ],
     ),
     (
@@ -136,7 +137,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "watch",
             "parallel",
             "pace",
-            "nearest",
+            "order",
         ],
     ),
     (

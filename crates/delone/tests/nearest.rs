@@ -58,14 +58,6 @@ fn assert_nearest(nearest: &Nearest, points: &[Point], asked: &[Point], random: 
         assert_eq!(nearest.k_nearest_all(asked, k, &()).as_ref(), Ok(&some));
         assert_eq!(nearest.within_all(asked, radius, &()).as_ref(), Ok(&within));
     }
-    assert_eq!(nearest.nearest_to_each(&()), Ok(nearest_to_each(points)));
-}
-
-fn nearest_to_each(points: &[Point]) -> Vec<Option<VertexId>> {
-    let vertices = distinct(points);
-    let other = |v: usize| by_distance(points, points[v]).get(1).copied();
-    let answer = |v: usize| vertices.contains(&v).then(|| other(v)).flatten();
-    (0..points.len()).map(answer).collect()
 }
 
 /// Points as near to several others as can be: themselves, midpoints, centres of boxes.
@@ -150,8 +142,6 @@ fn segments_do_not_stand_in_the_way() {
         nearest.k_nearest((0.0, 2.0), 2),
         Ok(vec![4.into(), 5.into()])
     );
-    let answers = nearest.nearest_to_each(&()).unwrap();
-    assert_eq!(answers[4], Some(5.into()));
 }
 
 #[test]
@@ -229,12 +219,8 @@ fn a_watch_is_told_and_may_cancel() {
         most,
     };
     let patient = watcher(u64::MAX);
-    assert!(nearest.nearest_to_each(&patient).is_ok());
+    assert!(nearest.nearest_all(&points, &patient).is_ok());
     assert_eq!(patient.told.into_inner(), 30_000);
-    assert_eq!(
-        nearest.nearest_to_each(&watcher(5000)),
-        Err(Error::Cancelled)
-    );
     assert_eq!(
         nearest.k_nearest_all(&points, 3, &watcher(5000)),
         Err(Error::Cancelled)

@@ -66,6 +66,10 @@ impl Asked {
         build.seconds += built.seconds;
         build.user += built.user;
         build.system += built.system;
+        if let (Some(memory), Some(first)) = (&mut build.memory, built.memory) {
+            memory.before = first.before;
+            memory.peak = memory.peak.max(first.peak);
+        }
         let (found, queries) = under_the_clock(|| match threads {
             Some(_) => locator.locate_all(&asked, &()),
             None => asked.iter().map(|&p| locator.locate(p)).collect(),

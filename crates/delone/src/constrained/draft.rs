@@ -145,14 +145,21 @@ impl Draft {
     }
 
     /// Flips edges, wherever they are, until all that `suspects` lead to are locally Delaunay or
-    /// constrained.
-    pub fn settle(&mut self, suspects: &mut Vec<HalfEdgeId>) {
+    /// constrained; false if that takes more than `budget` flips.
+    #[must_use]
+    pub fn settle(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
         while let Some(h) = suspects.pop() {
             let faces = [h, self.mesh.twin(h)].map(HalfEdgeId::triangle);
-            if !faces.iter().any(|&t| self.mesh.is_ghost(t)) && self.must_flip(h) {
-                self.flip_suspect(h, suspects);
+            if faces.iter().any(|&t| self.mesh.is_ghost(t)) || !self.must_flip(h) {
+                continue;
             }
+            if budget == 0 {
+                return false;
+            }
+            budget -= 1;
+            self.flip_suspect(h, suspects);
         }
+        true
     }
 
     /// Tells whether the edge of `h`, between two triangles, is neither constrained nor locally Delaunay.

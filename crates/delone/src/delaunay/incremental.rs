@@ -1,10 +1,9 @@
 //! The second builder: one point at a time, located by walking and legalised by flips.
 //!
-//! Lawson, *Software for C¹ surface interpolation*, 1977. It is the engine of single insertions and
-//! the oracle of the bulk builder: it shares no idea with divide and conquer, and yields the
-//! identical triangulation for every order of insertion.
-//!
-//! What single insertion means stands in `insertion.rs`, which live editing shares.
+//! Lawson, *Software for C¹ surface interpolation*, 1977. It is the oracle of the bulk builder: it
+//! shares no idea with divide and conquer, and yields the identical triangulation for every order of
+//! insertion. What an insertion does stands in `insertion.rs`, which [live editing](crate::edit) calls,
+//! too; that keeps more beside the mesh, and finds places faster.
 //!
 //! Cost: an insertion costs its walk (see [`locate`](crate::locate::locate)) and one flip for every
 //! edge but three that the new vertex ends up with; O(n) at worst, constant flips on average in

@@ -24,11 +24,13 @@ mod leaf;
 mod pair;
 mod sheet;
 mod signs;
+mod vertices;
 
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
 pub(crate) use insertion::{Growing, insert};
+pub(crate) use vertices::of_vertices;
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 

@@ -2,7 +2,7 @@
 //! every edit.
 //!
 //! ```text
-//! point ── places ──> a vertex close by ── sight ──> where it lies ── insert ──> flips around it
+//! point ── places ──> a vertex close by ── walk ──> where it lies ── insert ──> flips around it
 //! vertex ── removal ──> star flattened, contracted, made constrained Delaunay
 //! constraint ── sight ──> nothing in the way? ── corridor ──> its two sides triangulated anew
 //! each ── primitive ──> a journal, by which edits that fail, and transactions, are undone
@@ -254,8 +254,8 @@ impl LiveTriangulation {
     /// # Errors
     /// [`EditError::NoConstraint`].
     ///
-    /// *Cost*: in practice linear in the edges that come back; quadratic at worst. *Ids invalidated*:
-    /// half-edges and faces; the constraint's may be given out again.
+    /// *Cost*: in practice linear in the edges that come back; at worst that of the triangulation from
+    /// scratch. *Ids invalidated*: half-edges and faces; the constraint's may be given out again.
     pub fn remove_constraint(&mut self, id: ConstraintId) -> Result<[VertexId; 2], EditError> {
         let constraint = id;
         let ends = self.constraints.ends(id);

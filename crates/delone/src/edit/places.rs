@@ -8,6 +8,7 @@
 //!
 //! *Cost*: O(log n) for everything, about 40 bytes a vertex.
 
+use crate::predicates::squared_length;
 use crate::{Point, VertexId};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -43,11 +44,7 @@ impl Places {
         let before = self.0.range(..key).next_back();
         let neighbours = [after, before].map(|entry| entry.map(|(_, &v)| v));
         // Rounded, even to infinity: it only says where the walk begins.
-        let distance = |v: &VertexId| {
-            let q = place(*v);
-            let [dx, dy] = [p.x - q.x, p.y - q.y];
-            dx * dx + dy * dy
-        };
+        let distance = |v: &VertexId| squared_length([p, place(*v)]);
         let candidates = neighbours.into_iter().flatten();
         candidates.min_by(|v, w| distance(v).total_cmp(&distance(w)))
     }

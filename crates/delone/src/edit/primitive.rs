@@ -113,7 +113,7 @@ impl LiveTriangulation {
         let suspects = &mut self.room.suspects;
         suspects.clear();
         suspects.extend(self.draft.star(v).flat_map(|h| [h, h.next()]));
-        self.draft.settle(suspects);
+        self.settle();
     }
 
     /// Adds a constraint between different vertices, which must cross no other.
@@ -148,8 +148,8 @@ impl LiveTriangulation {
         for &h in suspects.iter() {
             self.draft.release(h);
         }
-        self.draft.settle(suspects);
         self.constraints.remove(id);
+        self.settle();
         self.journal.push(Step::Released(id, ends));
     }
 

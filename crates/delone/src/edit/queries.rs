@@ -1,8 +1,8 @@
 //! What a live triangulation can be asked.
 
 use super::primitive::half_edges_along;
-use super::{ConstraintId, LiveTriangulation, sight};
-use crate::locate::Location;
+use super::{ConstraintId, LiveTriangulation};
+use crate::locate::{Location, locate};
 use crate::{HalfEdgeId, Mesh, Point, TriangleId, TriangulationHash, VertexId, hash_triangles};
 
 impl LiveTriangulation {
@@ -66,7 +66,8 @@ impl LiveTriangulation {
             let is_there = self.draft.point(near) == point;
             return is_there.then_some(Location::Vertex(near));
         }
-        Some(sight::locate(&self.draft, near, point))
+        let hint = self.draft.star(near).next().expect("bug: it has no edge");
+        Some(locate(&self.draft.mesh, &self.draft.points, hint, point))
     }
 
     /// Returns the name of the set of triangles: that of the triangulation made from scratch.

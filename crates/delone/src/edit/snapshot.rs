@@ -36,10 +36,7 @@ impl LiveTriangulation {
     pub fn snapshot(&self) -> Snapshot {
         let vertices: Vec<VertexId> = self.vertices().collect();
         let constraints: Vec<ConstraintId> = self.constraints().collect();
-        let mut names = vec![VertexId::INFINITE; self.draft.points.len()];
-        for (i, v) in vertices.iter().enumerate() {
-            names[v.index()] = VertexId::new(i);
-        }
+        let names = self.names_without_gaps(&vertices);
         let name = |v: VertexId| names[v.index()];
         let mut segments = Vec::with_capacity(constraints.len());
         let mut chains = Chains::default();

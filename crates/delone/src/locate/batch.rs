@@ -39,7 +39,8 @@ impl Spread {
         Self { bounds }
     }
 
-    /// Answers the query at each of `points`, which are finite, and returns the answers in their order.
+    /// Answers the query at each of `points`, and returns the answers in their order. The watch is told of
+    /// the phase. Points that are not finite get their turn, too.
     ///
     /// `answer` gets what it left behind the time before, at first what `begin` returns, and the point. What
     /// it answers must not depend on what was left behind.
@@ -47,7 +48,7 @@ impl Spread {
         &self,
         points: &[Point],
         threads: Option<usize>,
-        watch: &dyn Watch,
+        (watch, phase): (&dyn Watch, Phase),
         begin: impl Fn() -> S + Sync,
         answer: impl Fn(&mut S, Point) -> A + Sync,
     ) -> Result<Vec<A>, Error> {
@@ -71,7 +72,7 @@ impl Spread {
                 }
                 let run = keys.len() as u64;
                 let done = done.fetch_add(run, Relaxed) + run;
-                watch.progress(Phase::Query, done, points.len() as u64);
+                watch.progress(phase, done, points.len() as u64);
                 Some(())
             });
             finished.into_iter().collect::<Option<()>>()?;
@@ -88,6 +89,7 @@ impl Spread {
         let [min, max] = self.bounds;
         let frame = Frame::new(min, max, radix.bits);
         let key = |p: Point| {
+            // NaN stays, and has key 0.
             let [x, y] = [p.x.clamp(min[0], max[0]), p.y.clamp(min[1], max[1])];
             frame.key(Point::new(x, y))
         };

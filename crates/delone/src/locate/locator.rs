@@ -6,6 +6,7 @@ use super::rim::{Rim, Row};
 use super::tree::Tree;
 use super::walk::{Walk, inner};
 use crate::pace::Pace;
+use crate::predicates::squared_length;
 use crate::{Error, HalfEdgeId, Mesh, Phase, Point, TriangleId, Triangulation, VertexId, Watch};
 use std::ops::Range;
 
@@ -145,17 +146,17 @@ impl<'t> Locator<'t> {
             last.ahead.read(self.triangulation, end.triangle());
             location
         };
+        let watched = (watch, Phase::Query);
         plane
             .spread
-            .answer(points, self.threads, watch, Trail::default, answer)
+            .answer(points, self.threads, watched, Trail::default, answer)
     }
 
     /// Tells whether it is a few triangles only from the edge of `h` to `p`, as far as its length tells.
     fn is_close(&self, h: HalfEdgeId, p: Point) -> bool {
         let [a, b] =
             [self.mesh().origin(h), self.mesh().dest(h)].map(|v| self.triangulation.point(v));
-        let square = |p: Point, q: Point| (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
-        square(a, p) <= 16.0 * square(a, b)
+        squared_length([a, p]) <= 16.0 * squared_length([a, b])
     }
 
     /// Walks from a half-edge of a finite face, and chooses among names for the same place. Returns a

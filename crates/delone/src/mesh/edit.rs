@@ -1,8 +1,9 @@
 //! The edits: the only places where corners and twins are rewritten.
 //!
-//! Each edit keeps the structure a closed sphere and costs constant time. None asks where a vertex
-//! lies, so each works on ghosts as on triangles: letters in the pictures may stand for the vertex
-//! at infinity. The caller answers for geometry, these functions for topology.
+//! Each edit keeps the structure a closed sphere and costs constant time, but for
+//! [`Mesh::contract`]. None asks where a vertex lies, so each works on ghosts as on triangles: letters
+//! in the pictures may stand for the vertex at infinity. The caller answers for geometry, these
+//! functions for topology.
 //!
 //! A picture shows the faces before and after; a half-edge id keeps its meaning unless the text
 //! says otherwise. What a growing edit returns is the *link* of the new vertex: the half-edges

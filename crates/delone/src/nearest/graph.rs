@@ -1,7 +1,6 @@
 //! The edges of a Delaunay triangulation, each vertex with its neighbours at hand.
 
 use crate::pace::Pace;
-use crate::predicates::{CircleSide, in_circle};
 use crate::{Error, HalfEdgeId, Phase, Point, Triangulation, VertexId, Watch};
 
 /// Vertices in the order in which triangles name them first, which keeps neighbours together, since builders
@@ -74,36 +73,4 @@ fn vertices(t: &Triangulation) -> (Vec<VertexId>, Vec<HalfEdgeId>) {
         }
     }
     (names, first)
-}
-
-/// Tells whether no vertex lies inside the circle of a triangle beside its own, so that none lies inside any
-/// (Delaunay's lemma). Carved faces count.
-///
-/// *Cost*: one in-circle test for each edge, until one fails.
-pub(super) fn is_delaunay(t: &Triangulation, watch: &dyn Watch) -> Result<bool, Error> {
-    let mesh = t.mesh();
-    let mut pace = Pace::new(watch, Phase::Check, 3 * mesh.num_faces() as u64);
-    for h in mesh.half_edges() {
-        pace.step()?;
-        if h < mesh.twin(h) && !is_locally_delaunay(t, h) {
-            return Ok(false);
-        }
-    }
-    pace.finish();
-    Ok(true)
-}
-
-fn is_locally_delaunay(t: &Triangulation, h: HalfEdgeId) -> bool {
-    let mesh = t.mesh();
-    let vertices = [
-        mesh.origin(h),
-        mesh.dest(h),
-        mesh.apex(h),
-        mesh.apex(mesh.twin(h)),
-    ];
-    if vertices.iter().any(|v| v.is_infinite()) {
-        return true;
-    }
-    let [a, b, c, d] = vertices.map(|v| t.point(v));
-    in_circle(a, b, c, d) != CircleSide::Inside
 }

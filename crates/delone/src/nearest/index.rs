@@ -1,9 +1,9 @@
 //! Nearest neighbours of any points, one by one or many at once.
 
-use super::graph::{Graph, is_delaunay};
+use super::graph::Graph;
 use super::search::Scratch;
+use crate::delaunay::of_vertices;
 use crate::locate::{Spread, Tree, check_finite};
-use crate::pace::Pace;
 use crate::{Delaunay, Error, Phase, Point, Triangulation, VertexId, Watch};
 
 /// Finds the vertices of a triangulation that are nearest to a point.
@@ -26,8 +26,6 @@ pub struct Nearest {
     graph: Graph,
     /// Where to begin; `None` if there are no vertices.
     entrance: Option<(Tree, Spread)>,
-    /// How many points there are, with those that equal others.
-    num_points: usize,
     threads: Option<usize>,
 }
 
@@ -43,11 +41,7 @@ impl Nearest {
     ///
     /// *Cost*: linear, about half of triangulating, and a triangulation more if one is to be built.
     pub fn new(triangulation: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
-        if is_delaunay(triangulation, watch)? {
-            Self::on(triangulation, watch)
-        } else {
-            Self::of_points(triangulation.points().iter().copied(), watch)
-        }
+        Self::on(&*of_vertices(triangulation, watch)?, watch)
     }
 
     /// Prepares for queries about points, which are triangulated for it.
@@ -73,7 +67,6 @@ impl Nearest {
         Ok(Self {
             graph,
             entrance,
-            num_points: t.points().len(),
             threads: None,
         })
     }
@@ -171,24 +164,6 @@ impl Nearest {
         })
     }
 
-    /// Finds for each point of the input the nearest other vertex, of several the one of lowest index.
-    /// `None` if there is no other, and for points that have no vertex, being equal to one of lower index.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`] if the watch says so.
-    ///
-    /// *Cost*: linear: a look at the neighbours of each vertex.
-    pub fn nearest_to_each(&self, watch: &dyn Watch) -> Result<Vec<Option<VertexId>>, Error> {
-        let mut pace = Pace::new(watch, Phase::Query, self.graph.names.len() as u64);
-        let mut answers = vec![None; self.num_points];
-        for (v, name) in (0..).zip(&self.graph.names) {
-            pace.step()?;
-            answers[name.index()] = self.graph.nearest_to_vertex(v);
-        }
-        pace.finish();
-        Ok(answers)
-    }
-
     /// Answers one query from the vertex nearest to it.
     fn one<A: Default>(
         &self,
@@ -223,7 +198,8 @@ impl Nearest {
             *last = Some(nearest);
             answer(p, nearest, scratch)
         };
-        spread.answer(points, self.threads, watch, begin, answer_next)
+        let watched = (watch, Phase::Query);
+        spread.answer(points, self.threads, watched, begin, answer_next)
     }
 
     fn name(&self, v: u32) -> VertexId {

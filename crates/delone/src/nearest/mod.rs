@@ -22,7 +22,8 @@
 //!
 //! *Does not* know of segments or domains: distances are those of the plane, and points that were carved
 //! away count like others. Constraints may keep a triangulation from being Delaunay; then that of its points
-//! is built.
+//! is built. What is nearest to each vertex needs no search:
+//! [`Proximity::nearest_neighbors`](crate::proximity::Proximity::nearest_neighbors).
 
 mod graph;
 mod index;

@@ -193,13 +193,4 @@ impl Graph {
         listed.sort_unstable();
         listed
     }
-
-    /// Returns the vertex nearest to vertex `v`, of several the one of lowest name: one of its neighbours,
-    /// since the circle between the two is empty. `None` if there is no other vertex.
-    pub fn nearest_to_vertex(&self, v: u32) -> Option<VertexId> {
-        let p = self.points[v as usize];
-        let neighbors = self.neighbors(v).iter();
-        let nearest = neighbors.map(|&w| Reached::new(self, p, w)).min();
-        nearest.map(|nearest| nearest.name)
-    }
 }

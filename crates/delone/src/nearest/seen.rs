@@ -1,9 +1,9 @@
 //! A set of vertices that one search has seen.
 
 /// Numbers in open addressing; empty again at the price of what it held, not of all vertices.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Seen {
-    /// A power of two of them, at most half of them taken.
+    /// A power of two of them, at most half of them taken; none before the first is.
     slots: Vec<u32>,
     taken: usize,
 }
@@ -13,15 +13,6 @@ const FREE: u32 = u32::MAX;
 const FEW: usize = 128;
 /// Slots that are kept for the next search.
 const MANY: usize = 4096;
-
-impl Default for Seen {
-    fn default() -> Self {
-        Self {
-            slots: vec![FREE; FEW],
-            taken: 0,
-        }
-    }
-}
 
 impl Seen {
     /// Forgets all.
@@ -60,7 +51,7 @@ impl Seen {
 
     #[cold]
     fn grow(&mut self) {
-        let slots = vec![FREE; 2 * self.slots.len()];
+        let slots = vec![FREE; FEW.max(2 * self.slots.len())];
         let before = std::mem::replace(&mut self.slots, slots);
         for v in before.into_iter().filter(|&v| v != FREE) {
             let place = self.place(v);

@@ -122,9 +122,9 @@ impl<const K: usize> Lifted<K> {
 }
 
 /// Finds the length of a segment.
-pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
+pub(super) fn length(ends: [Point; 2]) -> Root {
     let ([u], unit) = along([ends]);
-    Some(root_of_quotient(&dot(&u, &u), &BigInt::from(1), unit))
+    root_of_quotient(&dot(&u, &u), &BigInt::from(1), unit)
 }
 
 /// Finds the radius of the circle through three points; `None` if they are collinear.

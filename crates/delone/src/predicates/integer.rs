@@ -140,29 +140,29 @@ pub(super) fn length(ends: [Point; 2]) -> Option<Root> {
     )
 }
 
-/// Finds the radius of the circle through three points that are not collinear, if they lie on a coarse
-/// lattice: the product of the squared sides must fit 128 bits, and its quotient by the squared area
-/// must leave enough of them.
+/// Finds the radius of the circle through three points, `Some(None)` if they are collinear. They must lie
+/// on a coarse lattice: the product of the squared sides must fit 128 bits, and its quotient by the squared
+/// area must leave enough of them.
 #[inline(always)]
-pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
+pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Option<Root>> {
     let vectors = Vectors::along([[a, b], [b, c], [c, a]])?;
     let zeros = vectors.coordinates.as_flattened().iter();
     let zeros = zeros.fold(0, |all, c| all | c).trailing_zeros();
     let sides = vectors.wide().map(|side| side.map(|c| c >> zeros));
     let twice = (2 * cross(&sides[0], &sides[1])).unsigned_abs();
+    if twice == 0 {
+        return Some(None);
+    }
     let squares = sides.map(|side| dot(&side, &side).cast_unsigned());
     let product = squares[0]
         .checked_mul(squares[1])?
         .checked_mul(squares[2])?;
-    if product == 0 {
-        return None;
-    }
     let shift = product.leading_zeros() & !1;
     let (numerator, divisor) = (product << shift, twice.checked_mul(twice)?);
-    let quotient = numerator.checked_div(divisor)?;
+    let quotient = numerator / divisor;
     let is_exact = quotient * divisor == numerator;
     let unit = vectors.unit + zeros.cast_signed();
-    Root::of(quotient, is_exact, 2 * unit - shift.cast_signed())
+    Root::of(quotient, is_exact, 2 * unit - shift.cast_signed()).map(Some)
 }
 
 /// Vectors on a common lattice, magnitudes at most 2⁶¹.

@@ -12,6 +12,7 @@
 //! *Cost*: about 30 ns for a length and 60 ns for a circumradius in stage 1, about twice that in stage
 //! 2, 1 µs and more in big integers.
 
+use super::crossing::power_of_two;
 use super::double::Double;
 use super::polynomial::{cross, dot};
 use super::quotient::{Root, upward};
@@ -32,16 +33,12 @@ const LENGTH_BOUND: f64 = power_of_two(-100);
 /// roundings of the bound find room in twice that, since q < 2⁴⁰.
 const RADIUS_BOUND: f64 = power_of_two(-98);
 
-const fn power_of_two(e: i32) -> f64 {
-    f64::from_bits(((1023 + e) as u64) << 52)
-}
-
 /// Returns the length of a segment, rounded up, and which stage found it.
 pub(super) fn length([a, b]: [Point; 2]) -> (f64, Stage) {
     staged(
         filtered_length([a, b]),
-        || integer::length([a, b]),
-        || exact::length([a, b]),
+        || integer::length([a, b]).map(Some),
+        || Some(exact::length([a, b])),
     )
 }
 
@@ -50,8 +47,8 @@ pub(super) fn half_length(ends: [Point; 2]) -> (f64, Stage) {
     staged(
         // No subnormal number is tame.
         filtered_length(ends).map(|length| length / 2.0),
-        || integer::length(ends).map(Root::half),
-        || exact::length(ends).map(Root::half),
+        || integer::length(ends).map(|root| Some(root.half())),
+        || Some(exact::length(ends).half()),
     )
 }
 
@@ -65,18 +62,19 @@ pub(super) fn circumradius(corners: [Point; 3]) -> (f64, Stage) {
     )
 }
 
+/// Asks one stage after the other; a root of `None` is infinite.
 fn staged(
     filtered: Option<f64>,
-    integer: impl FnOnce() -> Option<Root>,
+    integer: impl FnOnce() -> Option<Option<Root>>,
     exact: impl FnOnce() -> Option<Root>,
 ) -> (f64, Stage) {
-    let up = |root: Root| upward(root);
+    let up = |root: Option<Root>| root.map_or(f64::INFINITY, upward);
     if let Some(value) = filtered {
         (value, Stage::Filter)
     } else if let Some(root) = integer() {
         (up(root), Stage::Integer)
     } else {
-        (exact().map_or(f64::INFINITY, up), Stage::BigInteger)
+        (up(exact()), Stage::BigInteger)
     }
 }
 

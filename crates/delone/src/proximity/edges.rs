@@ -5,7 +5,7 @@
 
 use super::Proximity;
 use crate::parallel::{Workers, with_workers};
-use crate::predicates::{compare_lengths, compare_squares, squared_length};
+use crate::predicates::{compare_lengths, compare_squared, compare_squares, squared_length};
 use crate::{Error, HalfEdgeId, Point, VertexId};
 use std::cmp::Ordering;
 
@@ -97,11 +97,8 @@ impl Candidate {
     /// Tells whether this one is nearer to `from` than `other`; of equally near ones the lower index is.
     #[inline]
     pub fn is_nearer(self, from: VertexId, other: Self, point: impl Fn(VertexId) -> Point) -> bool {
-        compare_squares(self.square, other.square)
-            .unwrap_or_else(|| {
-                let [p, a, b] = [from, self.to, other.to].map(&point);
-                compare_lengths([p, a], [p, b])
-            })
+        let [p, a, b] = [from, self.to, other.to].map(point);
+        compare_squared(p, [a, b], [self.square, other.square])
             .then(self.to.cmp(&other.to))
             .is_lt()
     }

@@ -48,9 +48,10 @@ pub use empty_circle::EmptyCircle;
 pub use tour::{Route, Tour};
 pub use tree::{Clusters, SpanningTree};
 
+use crate::delaunay::of_vertices;
 use crate::pace::Pace;
-use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
-use crate::{Delaunay, Error, HalfEdgeId, Phase, Point, Triangulation, VertexId, Watch};
+use crate::predicates::{Orientation, orient2d};
+use crate::{Error, HalfEdgeId, Phase, Point, Triangulation, VertexId, Watch};
 use std::borrow::Cow;
 
 /// The Delaunay triangulation of some points, to be asked for what is near.
@@ -80,14 +81,8 @@ impl<'t> Proximity<'t> {
     ///
     /// *Cost*: an in-circle test an edge, and a triangulation of the points if some edge is not Delaunay.
     pub fn new(triangulation: &'t Triangulation, watch: &'t dyn Watch) -> Result<Self, Error> {
-        let triangulation = if is_delaunay(triangulation, watch)? {
-            Cow::Borrowed(triangulation)
-        } else {
-            let points = triangulation.points().iter().copied();
-            Cow::Owned(Delaunay::new().watch(watch).triangulate(points)?)
-        };
         Ok(Self {
-            triangulation,
+            triangulation: of_vertices(triangulation, watch)?,
             watch,
         })
     }
@@ -136,7 +131,10 @@ impl<'t> Proximity<'t> {
 
     /// Visits one half-edge of every edge between finite vertices.
     fn half_edges(&self) -> impl Iterator<Item = HalfEdgeId> + '_ {
-        finite_edges(&self.triangulation)
+        let mesh = self.triangulation.mesh();
+        mesh.half_edges().filter(|&h| {
+            h < mesh.twin(h) && !mesh.origin(h).is_infinite() && !mesh.dest(h).is_infinite()
+        })
     }
 
     /// Counts the steps of a walk over all edges.
@@ -146,72 +144,9 @@ impl<'t> Proximity<'t> {
     }
 }
 
-fn finite_edges(t: &Triangulation) -> impl Iterator<Item = HalfEdgeId> + '_ {
-    let mesh = t.mesh();
-    mesh.half_edges().filter(|&h| {
-        h < mesh.twin(h) && !mesh.origin(h).is_infinite() && !mesh.dest(h).is_infinite()
-    })
-}
-
-/// Tells whether all that the mesh holds, carved triangles included, is *the* Delaunay triangulation of
-/// its points: a convex hull, and every edge locally Delaunay (Lawson 1977).
-fn is_delaunay(t: &Triangulation, watch: &dyn Watch) -> Result<bool, Error> {
-    let mesh = t.mesh();
-    let mut pace = Pace::new(watch, Phase::Proximity, mesh.num_faces() as u64 * 3 / 2);
-    for h in finite_edges(t) {
-        pace.step()?;
-        let twin = mesh.twin(h);
-        let is_right = match [h, twin].map(|h| mesh.apex(h).is_infinite()) {
-            [true, true] => true,
-            [true, false] => is_convex(t, h),
-            [false, true] => is_convex(t, twin),
-            [false, false] => {
-                let [a, b, c] = mesh.corners(h.triangle()).map(|v| t.point(v));
-                !in_circle_perturbed(a, b, c, t.point(mesh.apex(twin)))
-            }
-        };
-        if !is_right {
-            return Ok(false);
-        }
-    }
-    pace.finish();
-    Ok(true)
-}
-
-/// Tells whether the hull does not turn right behind the edge of `h`, which is a ghost's.
-fn is_convex(t: &Triangulation, h: HalfEdgeId) -> bool {
-    let mesh = t.mesh();
-    let next = mesh.next_hull_edge(h);
-    let [a, b, c] = [mesh.dest(h), mesh.origin(h), mesh.origin(next)].map(|v| t.point(v));
-    orient2d(a, b, c) != Orientation::Right
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ConstrainedDelaunay, Pslg};
-
-    /// A square with a forced diagonal that is not Delaunay.
-    #[test]
-    fn what_is_not_delaunay_is_triangulated_anew() {
-        let points = [(0.0, 0.0), (3.0, 0.0), (4.0, 4.0), (0.0, 3.0)];
-        let constrained = |segments: &[[u32; 2]]| {
-            let mut pslg = Pslg::from_points(points);
-            for &[a, b] in segments {
-                pslg.add_segment(a, b);
-            }
-            let t = ConstrainedDelaunay::new().triangulate(pslg).unwrap();
-            t.into_triangulation()
-        };
-        let free = crate::triangulate(points).unwrap();
-        for (segments, is_kept) in [(&[[1, 3]][..], true), (&[[0, 2]][..], false)] {
-            let t = constrained(segments);
-            let proximity = Proximity::new(&t, &()).unwrap();
-            assert_eq!(proximity.triangulation().hash(), free.hash());
-            let is_borrowed = matches!(proximity.triangulation, Cow::Borrowed(_));
-            assert_eq!(is_borrowed, is_kept);
-        }
-    }
 
     #[test]
     fn corners_of_the_hull_are_strict() {

@@ -1,6 +1,7 @@
 //! Rounded lengths, in units in which nothing over- or underflows that matters.
 
 use crate::Point;
+use crate::order::{exponent, split_power};
 
 /// Measures in units of a power of two, in which the larger side of the bounding box is between 1/2 and 1.
 #[derive(Clone, Copy, Debug)]
@@ -30,11 +31,14 @@ impl Ruler {
         } else {
             1.0
         };
-        let exponent = exponent_above(extent(first));
+        let size = extent(first);
+        // Of no points it is infinite, of one zero.
+        let is_ordinary = size > 0.0 && size.is_finite();
+        let exponent = if is_ordinary { exponent(size) + 1 } else { 0 };
         Self {
             first,
-            factors: split(-exponent),
-            inverses: split(exponent),
+            factors: split_power(-exponent),
+            inverses: split_power(exponent),
         }
     }
 
@@ -68,28 +72,6 @@ impl Ruler {
         };
         Point::new(part(a.x, x), part(a.y, y))
     }
-}
-
-/// The least e for which a number that is not negative is below 2^e; 0 for zero.
-fn exponent_above(value: f64) -> i32 {
-    // Multiplied, a subnormal number is normal; zero stays what it is.
-    let (value, shift) = if value < f64::MIN_POSITIVE {
-        (value * power_of_two(54), 54)
-    } else {
-        (value, 0)
-    };
-    let is_positive = value > 0.0 && value.is_finite();
-    let exponent = (value.to_bits() >> 52) as i32 - 1022 - shift;
-    if is_positive { exponent } else { 0 }
-}
-
-/// Two numbers whose product is 2^e, for |e| ≤ 2044.
-fn split(e: i32) -> [f64; 2] {
-    [power_of_two(e / 2), power_of_two(e - e / 2)]
-}
-
-fn power_of_two(e: i32) -> f64 {
-    f64::from_bits(((1023 + e) as u64) << 52)
 }
 
 #[cfg(test)]

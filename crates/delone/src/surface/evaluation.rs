@@ -1,12 +1,13 @@
 //! Many points at once.
 
 use super::{Cursor, Grid, Interpolant, Raster};
+use crate::locate::Spread;
 use crate::parallel::with_workers;
 use crate::{Error, Phase, Point, Watch};
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Points evaluated between two looks at the watch.
+/// Cells evaluated between two looks at the watch.
 const STRIP: usize = 1 << 10;
 
 /// How to evaluate a surface at many points.
@@ -63,18 +64,18 @@ impl<'w> Evaluation<'w> {
         surface: &dyn Interpolant,
         points: &[Point],
     ) -> Result<Vec<Option<f64>>, Error> {
-        let order = along_curve(points);
-        let answer = |cursor: &mut Cursor, strip: &&[u32]| -> Vec<Option<f64>> {
-            let points = strip.iter().map(|&i| points[i as usize]);
-            points.map(|p| surface.value_near(p, cursor)).collect()
-        };
-        let strips: Vec<&[u32]> = order.chunks(STRIP).collect();
-        let answers = self.each(&strips, points.len(), answer)?;
-        let mut values = vec![None; points.len()];
-        for (&i, value) in order.iter().zip(answers.into_iter().flatten()) {
-            values[i as usize] = value;
+        if !points.iter().any(Point::is_finite) {
+            return Ok(vec![None; points.len()]);
         }
-        Ok(values)
+        let spread = Spread::around(points.iter().filter(|p| p.is_finite()));
+        let answer = |cursor: &mut Cursor, p| surface.value_near(p, cursor);
+        spread.answer(
+            points,
+            self.threads,
+            (self.watch, Phase::Interpolate),
+            Cursor::default,
+            answer,
+        )
     }
 
     /// Samples a surface at the centres of the cells of a grid.
@@ -105,16 +106,16 @@ impl<'w> Evaluation<'w> {
         Ok(Raster::new(grid, values))
     }
 
-    /// Answers strips of questions, `num_points` altogether, in chunks with a cursor each.
-    fn each<S: Sync, A: Send>(
+    /// Answers strips of `num_cells` altogether, in chunks with a cursor each.
+    fn each(
         self,
-        strips: &[S],
-        num_points: usize,
-        answer: impl Fn(&mut Cursor, &S) -> A + Sync,
-    ) -> Result<Vec<A>, Error> {
+        strips: &[Strip],
+        num_cells: usize,
+        answer: impl Fn(&mut Cursor, &Strip) -> Vec<f64> + Sync,
+    ) -> Result<Vec<Vec<f64>>, Error> {
         let done = AtomicU64::new(0);
         let total = strips.len() as u64;
-        let chunk = |strips: &[S]| {
+        let chunk = |strips: &[Strip]| {
             let mut cursor = Cursor::default();
             let mut answers = Vec::with_capacity(strips.len());
             for strip in strips {
@@ -128,10 +129,10 @@ impl<'w> Evaluation<'w> {
             Ok(answers)
         };
         with_workers(self.threads, |workers| {
-            let points_per_chunk = workers.chunk_len(num_points, 8);
-            let length = (points_per_chunk * strips.len()).div_ceil(num_points.max(1));
+            let cells_per_chunk = workers.chunk_len(num_cells, 8);
+            let length = (cells_per_chunk * strips.len()).div_ceil(num_cells.max(1));
             let chunks = strips.chunks(length.max(1)).collect();
-            let answers: Result<Vec<Vec<A>>, Error> =
+            let answers: Result<Vec<Vec<Vec<f64>>>, Error> =
                 workers.map(chunks, chunk).into_iter().collect();
             Ok(answers?.into_iter().flatten().collect())
         })?
@@ -167,44 +168,6 @@ fn there_and_back(columns: usize, rows: usize) -> Vec<Strip> {
     strips
 }
 
-/// Returns the points' numbers in Morton order of a lattice of 2¹⁶ × 2¹⁶ cells over their box; those
-/// that are not finite last.
-fn along_curve(points: &[Point]) -> Vec<u32> {
-    let finite = || points.iter().filter(|p| p.is_finite());
-    let cell = |coordinate: fn(&Point) -> f64| {
-        let (low, high) = finite()
-            .map(coordinate)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
-                (low.min(c), high.max(c))
-            });
-        let half = high * 0.5 - low * 0.5;
-        move |p: &Point| ((coordinate(p) * 0.5 - low * 0.5) / half * 65535.0) as u32 as u16
-    };
-    let (across, up) = (cell(|p| p.x), cell(|p| p.y));
-    let key = |p: &Point| match p.is_finite() {
-        true => u64::from(spread(across(p)) | spread(up(p)) << 1),
-        false => u64::MAX,
-    };
-    let keys = points.iter().map(key);
-    let mut order: Vec<(u64, u32)> = keys.zip(0..).collect();
-    order.sort_unstable();
-    order.into_iter().map(|(_, i)| i).collect()
-}
-
-/// Puts a zero before every bit.
-fn spread(bits: u16) -> u32 {
-    let mut x = u32::from(bits);
-    for (shift, mask) in [
-        (8, 0x00ff_00ff),
-        (4, 0x0f0f_0f0f),
-        (2, 0x3333_3333),
-        (1, 0x5555_5555),
-    ] {
-        x = (x | x << shift) & mask;
-    }
-    x
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -226,26 +189,5 @@ mod tests {
         }
         let cells: usize = strips.iter().map(|strip| strip.columns.len()).sum();
         assert_eq!(cells, 3 * columns);
-    }
-
-    #[test]
-    fn the_curve_visits_every_point_and_goes_quarter_by_quarter() {
-        let mut points: Vec<Point> = (0..64)
-            .map(|i| Point::new(f64::from(i % 8), f64::from(i / 8)))
-            .collect();
-        points.push(Point::new(f64::NAN, 0.0));
-        let order = along_curve(&points);
-        assert_eq!(order[64], 64);
-        for (quarter, indices) in order[..64].chunks(16).enumerate() {
-            for &i in indices {
-                let (right, above) = (i % 8 >= 4, i / 8 >= 4);
-                assert_eq!(quarter, usize::from(right) + 2 * usize::from(above));
-            }
-        }
-        let mut sorted = order;
-        sorted.sort_unstable();
-        assert!(sorted.into_iter().eq(0..65));
-        assert!(along_curve(&[]).is_empty());
-        assert_eq!(along_curve(&[Point::new(1e308, -1e308); 2]), [0, 1]);
     }
 }

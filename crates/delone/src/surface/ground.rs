@@ -1,14 +1,11 @@
 //! What a surface lies over: the triangles of a triangulation or of a domain; and where a point lies
 //! on it.
 //!
-//! Location walks through the whole mesh, what was carved away included, so holes and notches are no
-//! obstacle. A constrained triangulation may lead a walk that always takes the first separating edge
-//! in circles; here a pseudo-random bit decides which edge is looked at first, and the walk ends
-//! (Devillers, Pion and Teillaud, *Walking in a triangulation*, 2002: the remembering stochastic
-//! walk). What is found does not depend on the bits, nor on where the walk begins.
+//! Location is that of [`locate`](crate::locate): it walks through the whole mesh, what was carved away
+//! included, so holes and notches are no obstacle.
 
+use crate::locate::{Location, locate};
 use crate::mesh::Mesh;
-use crate::predicates::{Orientation, orient2d};
 use crate::{ConstrainedTriangulation, HalfEdgeId, Point, TriangleId, Triangulation, VertexId};
 
 /// The triangles over which a surface lies; made of a reference to a [`Triangulation`] or to a
@@ -87,93 +84,36 @@ impl<'t> Ground<'t> {
             .map(|v| self.triangulation.points()[v.index()])
     }
 
-    /// Finds where a point lies, walking from `near`, or from anywhere if that is no triangle; then
-    /// `near` is where the walk ended. `None` is outside.
+    /// Finds where a point lies, walking from `near`, or from anywhere if that is no face; then `near` is
+    /// where the walk ended. `None` is outside. What is found does not depend on where the walk begins.
     ///
-    /// *Cost*: a few orientation tests for every triangle walked through.
+    /// *Cost*: one or two orientation tests for every triangle walked through; on a vertex also
+    /// [`Triangulation::star`], whose first call is linear.
     pub(super) fn place(&self, goal: Point, near: &mut TriangleId) -> Option<Place> {
         if self.triangulation.num_triangles() == 0 || !goal.is_finite() {
             return None;
         }
         let mesh = self.mesh();
-        if near.index() >= mesh.num_faces() || mesh.is_ghost(*near) {
+        if near.index() >= mesh.num_faces() {
             *near = TriangleId::new(0);
         }
-        let touched = self.walk(goal, near)?;
-        self.on_ground(*near, touched)
+        let [hint, ..] = near.half_edges();
+        let location = locate(mesh, self.triangulation.points(), hint, goal);
+        let triangle = location.triangle(self.triangulation);
+        *near = match location {
+            Location::Face(t) => t,
+            Location::Edge(h) | Location::Outside(h) => h.triangle(),
+            _ => triangle.unwrap_or(*near),
+        };
+        let triangle = triangle?;
+        let spot = match location {
+            Location::Vertex(v) => Spot::Vertex(v),
+            Location::Edge(h) if h.triangle() == triangle => Spot::Edge(h),
+            Location::Edge(h) => Spot::Edge(mesh.twin(h)),
+            _ => Spot::Face,
+        };
+        Some(Place { spot, triangle })
     }
-
-    /// Walks to a face that holds `goal`; returns those of its edges that touch it.
-    fn walk(&self, goal: Point, near: &mut TriangleId) -> Option<[Option<HalfEdgeId>; 2]> {
-        let mut step = self.step(&near.half_edges(), goal);
-        let mut dice = 1_u32;
-        loop {
-            let h = match step {
-                Step::Arrived(touched) => return Some(touched),
-                Step::Through(h) => h,
-            };
-            let entered = self.mesh().twin(h);
-            if self.mesh().apex(entered).is_infinite() {
-                return None;
-            }
-            *near = entered.triangle();
-            // The constants of a well-known linear congruential generator; its high bit is good.
-            dice = dice.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            step = match dice >> 31 {
-                0 => self.step(&[entered.next(), entered.prev()], goal),
-                _ => self.step(&[entered.prev(), entered.next()], goal),
-            };
-        }
-    }
-
-    /// Decides by some edges of one face; `goal` is strictly left of those left out.
-    #[inline]
-    fn step(&self, half_edges: &[HalfEdgeId], goal: Point) -> Step {
-        let points = self.triangulation.points();
-        let mut touched = [None; 2];
-        for &h in half_edges {
-            let [a, b] = [self.mesh().origin(h), self.mesh().dest(h)].map(|v| points[v.index()]);
-            match orient2d(a, b, goal) {
-                Orientation::Right => return Step::Through(h),
-                Orientation::Collinear => touched = [Some(h), touched[0]],
-                Orientation::Left => {}
-            }
-        }
-        Step::Arrived(touched)
-    }
-
-    /// Names the place in face `t` on the edges `touched`, the same from whichever face it was found.
-    fn on_ground(&self, t: TriangleId, touched: [Option<HalfEdgeId>; 2]) -> Option<Place> {
-        match touched {
-            [None, _] => self.has(t).then_some(Place {
-                spot: Spot::Face,
-                triangle: t,
-            }),
-            [Some(h), None] => {
-                let sides = [h, self.mesh().twin(h)];
-                let inside = sides.into_iter().filter(|h| self.has(h.triangle()));
-                let h = inside.min()?;
-                Some(Place {
-                    spot: Spot::Edge(h),
-                    triangle: h.triangle(),
-                })
-            }
-            [Some(g), Some(h)] => {
-                let from = if h.next() == g { g } else { h };
-                let around = self.mesh().star(from).map(HalfEdgeId::triangle);
-                Some(Place {
-                    spot: Spot::Vertex(self.mesh().origin(from)),
-                    triangle: around.filter(|&t| self.has(t)).min()?,
-                })
-            }
-        }
-    }
-}
-
-enum Step {
-    /// In this face, on these of its edges.
-    Arrived([Option<HalfEdgeId>; 2]),
-    Through(HalfEdgeId),
 }
 
 #[cfg(test)]

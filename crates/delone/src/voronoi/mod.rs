@@ -15,9 +15,9 @@
 //! stands for it.
 //!
 //! [Clipping](Voronoi::clip) follows the boundary of a [`Domain`] from cell to cell, and puts the parts
-//! together from where it crosses the edges. Which parts there are is decided by the order of crossings
-//! alone, in which each edge is the same for both its cells; so areas of clipped cells add up to that of
-//! the domain, up to rounding, however degenerate the two lie to each other. A polygon need not be
+//! together from where it crosses the edges. Every step of that is exact, and what crosses an edge is the
+//! same for both its cells; so areas of clipped cells add up to that of the domain, up to rounding, however
+//! degenerate the two lie to each other. A polygon need not be
 //! convex, and cells may come in several parts with holes. A part whose area rounds to nothing is left out.
 //!
 //! *Cost*: O(n) for the diagram, about 0.7 µs a site; clipping O(n + k log k + b) for k crossings, where b
@@ -34,6 +34,7 @@
 //! sorting* (1977), made proof against rounding by levels.
 
 mod clipped;
+mod cut;
 mod diagram;
 mod domain;
 mod dual;

@@ -9,7 +9,7 @@ pub struct Family {
     pub make: fn(&mut Random) -> [Point; 4],
     /// Stages that decide some in-circle test of this family.
     pub uses: &'static [Stage],
-    /// Stages that may decide any predicate of this family.
+    /// Stages that may decide any predicate of this family; constructions may need others.
     pub stays_in: &'static [Stage],
 }
 
