@@ -69,6 +69,10 @@ fn numbers_are_those_of_the_files() {
     folder.write("points.node", "2 2 0 0\n1 0 0\n2 4 0\n");
     folder.run("nearest points.node asked.node -o near.csv", 0);
     assert_eq!(folder.read("near.csv"), "query,vertex,distance\n1,2,1\n");
+    folder.run("nearest points.csv asked.node -o near.csv", 0);
+    assert_eq!(folder.read("near.csv"), "query,vertex,distance\n1,1,1\n");
+    folder.run("nearest points.node one.csv -o near.csv", 0);
+    assert!(folder.read("near.csv").contains("\n0,1,2.8284271247461"));
 }
 
 #[test]
