@@ -2,8 +2,9 @@
 
 use crate::exit::{self, Failure};
 use crate::{
-    check::Check, convert::Convert, info::Info, mesh::Mesh, sample::Sample, triangle::Triangle,
-    triangulate::Triangulate,
+    check::Check, contour::Contour, convert::Convert, graph::Graph, info::Info,
+    interpolate::Interpolate, mesh::Mesh, nearest::Nearest, sample::Sample, triangle::Triangle,
+    triangulate::Triangulate, voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -12,6 +13,10 @@ Examples:
   delone mesh map.poly --max-edge 0.5 -o m.vtu  good triangles in outlines, for ParaView
   delone triangulate points.csv -o mesh.ele   points in, mesh.node + mesh.ele + … out
   delone triangulate points.npy --json        only the figures, as one JSON object
+  delone nearest towns.csv sites.csv -o near.csv   which town is nearest to each site, how far
+  delone voronoi towns.csv --clip land.geojson -o cells.geojson   what is nearest to each town
+  delone contour survey.xyz --interval 10 -o lines.geojson   contour lines; `interpolate`: rasters
+  delone graph towns.csv --kind tour -o tour.geojson   a short tour; also trees and other graphs
   delone info map.poly                        do segments cross or overlap, and where? exactly
   delone check mesh.ele                       is every circle empty? exactly, from the files alone
   delone sample uniform -n 1000000 -o u.npy   a million points to play with
@@ -38,6 +43,11 @@ pub struct Cli {
 enum Command {
     Mesh(Mesh),
     Triangulate(Triangulate),
+    Nearest(Nearest),
+    Voronoi(Voronoi),
+    Interpolate(Interpolate),
+    Contour(Contour),
+    Graph(Graph),
     Info(Info),
     Check(Check),
     Sample(Sample),
@@ -51,6 +61,11 @@ impl Cli {
         match &self.command {
             Command::Mesh(command) => command.run(self.quiet),
             Command::Triangulate(command) => command.run(self.quiet),
+            Command::Nearest(command) => command.run(self.quiet),
+            Command::Voronoi(command) => command.run(self.quiet),
+            Command::Interpolate(command) => command.run(self.quiet),
+            Command::Contour(command) => command.run(self.quiet),
+            Command::Graph(command) => command.run(self.quiet),
             Command::Info(command) => command.run(self.quiet),
             Command::Check(command) => command.run(self.quiet),
             Command::Sample(command) => command.run(self.quiet),

@@ -1,14 +1,16 @@
 //! Inputs and outputs as the command line names them.
 
+mod content;
 mod family;
 mod input;
 
 use crate::exit::Failure;
 use crate::progress::Progress;
+pub use content::Content;
 use delone::RefinedMesh;
 use delone_io::{
-    Attribute, DomainData, Error, Format, MeshView, PictureOptions, PointSet, ReportOptions,
-    Target, WriteOptions,
+    Attribute, CellsView, DomainData, Error, Format, Links, MeshView, PictureOptions, PointSet,
+    Relief, ReliefOptions, ReportOptions, Target, WriteOptions,
 };
 use family::Member;
 pub use input::{Input, Reading};
@@ -35,8 +37,8 @@ pub struct Writing {
 #[derive(Default)]
 pub struct Outputs {
     files: Vec<Target>,
-    /// Pages about what is written.
-    reports: Vec<Target>,
+    /// What is written besides: pages, diagrams, sites, reliefs.
+    asides: Vec<(Content, Target)>,
     /// The files that all these consist of.
     members: Vec<Member>,
     stream: Option<Target>,
@@ -50,7 +52,7 @@ impl Outputs {
 
     /// Tells whether there is nothing to write.
     pub fn is_empty(&self) -> bool {
-        self.files.is_empty() && self.reports.is_empty() && self.stream.is_none()
+        self.files.is_empty() && self.asides.is_empty() && self.stream.is_none()
     }
 
     /// Requires that none of the files to be written is one of those that are read.
@@ -85,11 +87,23 @@ impl Outputs {
             self.members.push(member);
         }
         let target = Target::from_arg(path, Some(format));
-        match content {
-            Content::Report => self.reports.push(target),
-            _ => self.files.push(target),
+        if content.is_aside() {
+            self.asides.push((content, target));
+        } else {
+            self.files.push(target);
         }
         Ok(())
+    }
+
+    /// Tells whether there is something of this content to be written besides.
+    pub fn has_aside(&self, content: Content) -> bool {
+        self.asides.iter().any(|(c, _)| *c == content)
+    }
+
+    /// Lists what is written besides that has this content.
+    fn asides(&self, content: Content) -> Vec<Target> {
+        let matching = self.asides.iter().filter(|(c, _)| *c == content);
+        matching.map(|(_, target)| target.clone()).collect()
     }
 
     fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
@@ -99,65 +113,6 @@ impl Outputs {
         }
         self.stream = Some(Target::from_arg("-", Some(format)));
         Ok(())
-    }
-}
-
-/// What an output must be able to hold.
-#[derive(Clone, Copy)]
-pub enum Content {
-    /// Points alone.
-    Points,
-    /// Points and segments, holes and regions.
-    Domain,
-    /// Points and triangles.
-    Mesh,
-    /// Points and triangles of six nodes.
-    QuadraticMesh,
-    /// Points, a domain or a mesh, as the input will tell.
-    Any,
-    /// A picture.
-    Picture,
-    /// A page about a mesh.
-    Report,
-}
-
-impl Content {
-    fn fits(self, format: Format) -> bool {
-        match self {
-            Self::Points => format.writes_points(),
-            Self::Domain => format.writes_segments(),
-            Self::Mesh => format.writes_mesh(),
-            Self::QuadraticMesh => format.writes_quadratic_mesh(),
-            Self::Any => format.writes_points() || format.writes_segments() || format.writes_mesh(),
-            Self::Picture => format.is_picture(),
-            Self::Report => format.writes_report(),
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Points => "points",
-            Self::Domain => "a domain",
-            Self::Mesh => "a mesh",
-            Self::QuadraticMesh => "triangles of six nodes",
-            Self::Any => "points or a mesh",
-            Self::Picture => "a picture",
-            Self::Report => "a report",
-        }
-    }
-
-    /// Says why an output of the format that was `told` will not do.
-    fn misfit(self, path: &Path, told: Option<Format>) -> Failure {
-        let [path, what] = [path.display().to_string(), self.name().to_owned()];
-        let names = Format::ALL.map(|f| self.fits(f).then_some(f.name()));
-        let names: Vec<&str> = names.into_iter().flatten().collect();
-        let names = names.join(", ");
-        Failure::Usage(match told {
-            Some(format) => format!("{path}: {format} cannot hold {what}; these can: {names}"),
-            None => format!(
-                "{path}: the name tells no format; add an extension or --to with one of: {names}"
-            ),
-        })
     }
 }
 
@@ -171,10 +126,9 @@ impl Writing {
         let all_tell = wanted.iter().all(|(p, _)| Format::from_path(p).is_some());
         let mut outputs = Outputs::default();
         for (path, content) in wanted {
-            let overrules = all_tell && !matches!(content, Content::Picture | Content::Report);
-            if matches!(content, Content::Report) && path == Path::new("-") {
-                let refused = "a report needs a file; name one that ends in .html, .svg or .png";
-                return Err(Failure::Usage(refused.to_owned()));
+            let overrules = all_tell && content != Content::Picture && !content.is_aside();
+            if content.is_aside() && path == Path::new("-") {
+                return Err(content.needs_a_file());
             }
             let told = self.told(&path, overrules);
             let Some(format) = told.filter(|f| content.fits(*f)) else {
@@ -243,8 +197,8 @@ impl Writing {
             picture: self.options().picture,
             ..options
         };
-        delone_io::write_report(&outputs.reports, refined, mesh, &options, progress)
-            .map_err(unwritable)
+        let pages = outputs.asides(Content::Report);
+        delone_io::write_report(&pages, refined, mesh, &options, progress).map_err(unwritable)
     }
 
     /// Writes points and returns the names of the files.
@@ -272,6 +226,96 @@ impl Writing {
         write(outputs, |targets| {
             delone_io::write_domain(targets, domain, &options, progress)
         })
+    }
+
+    /// Writes links between points and returns the names of the files.
+    pub fn links(
+        &self,
+        outputs: &Outputs,
+        links: &Links<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let picture = self.options().picture;
+        write(outputs, |targets| {
+            delone_io::write_links(targets, links, &picture, progress)
+        })
+    }
+
+    /// Writes Voronoi cells and returns the names of the files.
+    pub fn cells(
+        &self,
+        outputs: &Outputs,
+        cells: &CellsView<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = self.options();
+        write(outputs, |targets| {
+            delone_io::write_cells(targets, cells, &options, progress)
+        })
+    }
+
+    /// Writes the dual of a mesh, as Triangle does, and returns the names of the files.
+    pub fn diagrams(
+        &self,
+        outputs: &Outputs,
+        mesh: &MeshView<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let mut written = Vec::new();
+        for target in outputs.asides(Content::Diagram) {
+            // The writer puts `.v.node` and `.v.edge` behind the stem.
+            let stem = target.path.map(|p| p.with_extension("").with_extension(""));
+            let options = WriteOptions {
+                voronoi: stem,
+                ..self.options()
+            };
+            let files = delone_io::write_mesh(&[], mesh, &options, progress);
+            written.extend(files.map_err(unwritable)?);
+        }
+        Ok(written)
+    }
+
+    /// Writes points besides something else and returns the names of the files.
+    pub fn sites(
+        &self,
+        outputs: &Outputs,
+        points: &PointSet,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let targets = outputs.asides(Content::Sites);
+        delone_io::write_points(&targets, points, &self.options(), progress).map_err(unwritable)
+    }
+
+    /// Writes a raster or contour lines and returns the names of the files.
+    pub fn relief(
+        &self,
+        outputs: &Outputs,
+        relief: Relief<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = self.relief_options();
+        write(outputs, |targets| {
+            delone_io::write_relief(targets, relief, &options, progress)
+        })
+    }
+
+    /// Draws a surface besides something else, if that is wanted, and returns the names of the files.
+    pub fn reliefs(
+        &self,
+        outputs: &Outputs,
+        relief: Relief<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let targets = outputs.asides(Content::Relief);
+        delone_io::write_relief(&targets, relief, &self.relief_options(), progress)
+            .map_err(unwritable)
+    }
+
+    fn relief_options(&self) -> ReliefOptions {
+        ReliefOptions {
+            picture: self.options().picture,
+            ..ReliefOptions::default()
+        }
     }
 
     fn options(&self) -> WriteOptions {

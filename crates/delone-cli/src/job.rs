@@ -49,10 +49,7 @@ pub struct Job {
 impl Job {
     /// Returns the number of threads.
     pub fn threads(&self) -> usize {
-        match self.threads {
-            Some(n) => n.into(),
-            None => std::thread::available_parallelism().map_or(1, usize::from),
-        }
+        threads(self.threads)
     }
 
     /// Reads points or a domain, which no output may overwrite.
@@ -136,6 +133,14 @@ impl Job {
             wanted.push((named("html"), Content::Report));
         }
         self.writing.outputs(wanted)
+    }
+}
+
+/// Returns the number of threads: as many as asked for, otherwise as the machine runs at once.
+pub fn threads(asked: Option<u16>) -> usize {
+    match asked {
+        Some(n) => n.into(),
+        None => std::thread::available_parallelism().map_or(1, usize::from),
     }
 }
 

@@ -2,26 +2,35 @@
 
 mod check;
 mod cli;
+mod column;
+mod contour;
 mod convert;
 mod domain;
 mod exit;
 mod files;
+mod graph;
 mod info;
+mod interpolate;
 mod interrupt;
 mod job;
 mod memory;
 mod mesh;
+mod nearest;
 mod numbering;
 mod numbers;
+mod phases;
 mod progress;
 mod refinable;
 mod sample;
 mod sizing;
 mod stopwatch;
+mod survey;
+mod task;
 mod timing;
 mod triangle;
 mod triangulate;
 mod unmet;
+mod voronoi;
 mod words;
 
 use clap::Parser;

@@ -1,7 +1,7 @@
 //! What the library says about segments, holes and regions, in the numbers of their file.
 
 use crate::exit::Failure;
-use delone::{ConstrainedTriangulation, Error, Seed, Warning};
+use delone::{ConstrainedTriangulation, Error, Seed, VertexId, Warning};
 use delone_io::DomainData;
 
 /// How the file of an input counts.
@@ -39,16 +39,23 @@ impl Numbering {
                 | Error::SeedNotFinite { .. }
                 | Error::SeedOnSegment { .. }
                 | Error::BadSize { .. }
+                | Error::BadWeight { .. }
+                | Error::ValueNotFinite { .. }
+                | Error::ValuesDiffer { .. }
         );
+        let is_usage = matches!(error, Error::BadLevel { .. } | Error::BadGrid { .. });
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
             Error::Crossing { .. } => ": --crossings split",
+            Error::ValuesDiffer { .. } => ": --average",
             _ => "",
         };
         let [file, from] = [&self.file, self.hint()];
         let text = format!("{file}: {}{hint}{from}", self.renumber(error));
         if is_refused {
             Failure::BadInput(text)
+        } else if is_usage {
+            Failure::Usage(text)
         } else {
             Failure::NotReached(text)
         }
@@ -118,6 +125,23 @@ impl Numbering {
             Error::BadSize { index, given } => Error::BadSize {
                 index: index + base,
                 given,
+            },
+            Error::BadWeight { index, weight } => Error::BadWeight {
+                index: index + base,
+                weight,
+            },
+            Error::ValueNotFinite {
+                vertex,
+                given,
+                what,
+            } => Error::ValueNotFinite {
+                vertex: VertexId::new(vertex.index() + base),
+                given,
+                what,
+            },
+            Error::ValuesDiffer { vertices, values } => Error::ValuesDiffer {
+                vertices: vertices.map(|v| VertexId::new(v.index() + base)),
+                values,
             },
             Error::SeedNotFinite { seed, at } => Error::SeedNotFinite {
                 seed: self.renumber_seed(seed),

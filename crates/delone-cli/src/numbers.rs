@@ -16,9 +16,24 @@ pub fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Reads a number that is not negative.
+pub fn radius(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if (0.0..f64::INFINITY).contains(&number) => Ok(number),
+        _ => Err("a number is needed that is not negative".to_owned()),
+    }
+}
+
+/// Reads finite numbers set apart by commas.
+pub fn several(text: &str) -> Result<Vec<f64>, String> {
+    let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.is_finite());
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    numbers.ok_or_else(|| format!("numbers set apart by commas are needed, not {text:?}"))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{angle, positive};
+    use super::{angle, positive, radius, several};
 
     #[test]
     fn bounds_that_make_no_sense_are_refused() {
@@ -30,6 +45,14 @@ mod tests {
         assert_eq!(positive("1e-9"), Ok(1e-9));
         for wrong in ["0", "-1", "NaN", "inf", "1,5"] {
             assert!(positive(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(radius("0"), Ok(0.0));
+        for wrong in ["-1e-9", "NaN", "inf", ""] {
+            assert!(radius(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(several("-1, 2.5,0"), Ok(vec![-1.0, 2.5, 0.0]));
+        for wrong in ["", "1,,2", "1;2", "inf", "1,NaN"] {
+            assert!(several(wrong).is_err(), "{wrong}");
         }
     }
 }

@@ -6,6 +6,16 @@ use support::Folder;
 
 const README: &str = include_str!("../../../README.md");
 
+/// What the pages have their examples read.
+const DATA: [(&str, &str); 3] = [
+    ("towns.csv", include_str!("../../../docs/queries/towns.csv")),
+    ("sites.csv", include_str!("../../../docs/queries/sites.csv")),
+    (
+        "land.geojson",
+        include_str!("../../../docs/queries/land.geojson"),
+    ),
+];
+
 #[test]
 fn wrong_usage_is_2() {
     let folder = Folder::with_points();
@@ -274,9 +284,60 @@ fn the_examples_of_the_readme_run() {
         .map(|line| line.split('#').next().unwrap_or(line).trim());
     // Samples come first, for others read them.
     let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
-    assert_eq!((samples.len(), others.len()), (2, 11));
+    assert_eq!((samples.len(), others.len()), (2, 16));
+    for (name, content) in DATA {
+        folder.write(name, content);
+    }
+    folder.write("survey.xyz", "0 0 1\n20 0 15\n0 20 32\n");
     for example in samples.iter().chain(&others) {
         folder.run(&example.replace("1000000", "1000"), 0);
+    }
+}
+
+#[test]
+fn the_examples_of_the_page_about_queries_run() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path().join("queries")).expect("a folder");
+    for (name, content) in DATA {
+        folder.write(&format!("queries/{name}"), content);
+    }
+    folder.write("hills.csv", "x,y,height\n0,0,1\n1,0,90\n0,1,260\n");
+    let page = include_str!("../../../docs/queries.md");
+    let examples = page.lines().filter(|l| l.starts_with("delone "));
+    let examples: Vec<&str> = examples.filter(|l| !l.contains('|')).collect();
+    assert_eq!(examples.len(), 7);
+    for example in examples {
+        let output = folder.run(&example["delone ".len()..], 0);
+        // What the page quotes is what is said.
+        for line in output.stderr.lines().filter(|l| l.contains("tour")) {
+            let is_figure = line.starts_with("123 points") || line.starts_with("no tour");
+            assert!(!is_figure || page.contains(line), "{line}");
+        }
+    }
+}
+
+#[test]
+fn help_names_every_key_of_the_json_of_queries() {
+    let folder = Folder::new();
+    folder.write("p.csv", "x,y,z\n0,0,1\n1,0,90\n0,1,260\n");
+    for (command, options) in [
+        ("nearest", "p.csv"),
+        ("voronoi", "--lloyd 1"),
+        ("interpolate", "--cell 1"),
+        ("contour", ""),
+        ("graph", "--kind tour"),
+        ("graph", "--kind alpha"),
+    ] {
+        let help = folder.run(&format!("{command} --help"), 0).stdout;
+        let (_, help) = help.split_once("The JSON object").expect("a section");
+        let line = format!("{command} p.csv --json {options}");
+        let json = folder.run(&line, 0).json();
+        for key in json.as_object().expect("an object").keys() {
+            assert!(help.contains(key.as_str()), "{command}: {key}");
+        }
+        for phase in json["seconds"].as_object().expect("phases").keys() {
+            assert!(help.contains(phase.as_str()), "{command}: {phase}");
+        }
     }
 }
 

@@ -175,6 +175,25 @@ impl Format {
         matches!(self, Self::GeoJson | Self::Vtu | Self::Svg | Self::Png)
     }
 
+    /// Tells whether [`write_links`](crate::write_links) can write the format.
+    pub const fn writes_links(self) -> bool {
+        matches!(
+            self,
+            Self::Table | Self::Npy | Self::GeoJson | Self::Svg | Self::Png
+        )
+    }
+
+    /// Tells whether [`write_relief`](crate::write_relief) can write a raster in the format; of tables, only
+    /// `.asc` is one.
+    pub const fn writes_raster(self) -> bool {
+        matches!(self, Self::Table | Self::Npy | Self::Svg | Self::Png)
+    }
+
+    /// Tells whether [`write_relief`](crate::write_relief) can write contour lines in the format.
+    pub const fn writes_contours(self) -> bool {
+        matches!(self, Self::GeoJson | Self::Svg | Self::Png)
+    }
+
     /// Tells whether [`write_report`](crate::write_report) can write the format.
     pub const fn writes_report(self) -> bool {
         matches!(self, Self::Svg | Self::Png | Self::Html)

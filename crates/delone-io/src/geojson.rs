@@ -7,6 +7,7 @@
 
 mod cells;
 mod contours;
+mod links;
 mod object;
 mod read;
 mod tree;
@@ -14,5 +15,6 @@ mod write;
 
 pub(crate) use cells::write_cells;
 pub(crate) use contours::write_contours;
+pub(crate) use links::write_links;
 pub(crate) use read::{read_domain, sniff};
 pub(crate) use write::{write_domain, write_mesh};

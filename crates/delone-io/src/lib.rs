@@ -25,7 +25,8 @@
 //! | `.svg`, `.png` | | | | all, report |
 //! | `.html` | | | | report |
 //!
-//! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`.
+//! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`; [`write_links`]
+//! writes [links between points](Links) to tables, `.npy`, `.geojson`, `.svg` and `.png`.
 //!
 //! Points become a mesh:
 //!
@@ -83,6 +84,7 @@ mod exact;
 mod format;
 mod geojson;
 mod inherit;
+mod links;
 mod mesh;
 mod neigh;
 mod node;
@@ -117,6 +119,7 @@ pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
 pub use format::Format;
 pub use inherit::Inherited;
+pub use links::{Link, Links, write_links};
 pub use mesh::{MeshData, MeshView, read_mesh};
 pub use points::{Attribute, Column, PointSet, ReadOptions, read_points};
 pub use relief::{Relief, ReliefOptions, write_relief};

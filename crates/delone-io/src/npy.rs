@@ -7,7 +7,7 @@
 
 mod write;
 
-pub(crate) use write::{write_points, write_raster, write_segments, write_triangles};
+pub(crate) use write::{write_links, write_points, write_raster, write_segments, write_triangles};
 
 use crate::{Attribute, Column, Error, MeshData, Place, PointSet, Problem};
 use crate::{exact, node, points, table};

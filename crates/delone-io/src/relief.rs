@@ -101,9 +101,12 @@ fn write(
         (_, Some(_)) => Err(unsupported(target, format, "hold a raster", |f| {
             matches!(f, Format::Npy | Format::Svg | Format::Png)
         })),
-        (_, None) => Err(unsupported(target, format, "hold contour lines", |f| {
-            matches!(f, Format::GeoJson | Format::Svg | Format::Png)
-        })),
+        (_, None) => Err(unsupported(
+            target,
+            format,
+            "hold contour lines",
+            Format::writes_contours,
+        )),
     }
 }
 

@@ -15,7 +15,7 @@
 mod delimiter;
 mod write;
 
-pub(crate) use write::write_points;
+pub(crate) use write::{write_links, write_points};
 
 use crate::scan::{self, Row, Scanner};
 use crate::{Attribute, Column, Error, Place, PointSet, Problem, node, points};

@@ -49,6 +49,10 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         ]
         .map(|f| sibling(f.name(), Part::Whole(f)))
         .into(),
+        (_, Content::Diagram) => vec![
+            sibling("node", Part::Whole(Format::Node)),
+            sibling("edge", Part::Whole(Format::Edge)),
+        ],
         (_, Content::Report) => vec![whole(Part::Page)],
         _ => vec![whole(Part::Whole(format))],
     }

@@ -2,7 +2,7 @@
 
 use super::MAGIC;
 use crate::target::Output;
-use crate::{Error, MeshView};
+use crate::{Error, Links, MeshView};
 use delone::surface::Raster;
 
 /// Writes the triangles as `int32` (m, 3), or `int64` if there are too many vertices.
@@ -72,6 +72,19 @@ pub(crate) fn write_raster(out: &mut Output<'_>, raster: &Raster) -> Result<(), 
     write_header(out, "<f8", grid.rows(), grid.columns())?;
     for row in raster.rows() {
         for value in row {
+            out.bytes(&value.to_le_bytes())?;
+        }
+        out.end_row()?;
+    }
+    Ok(())
+}
+
+/// Writes links as `float64` (m, 3): the numbers of their ends, and their lengths.
+pub(crate) fn write_links(out: &mut Output<'_>, links: &Links<'_>) -> Result<(), Error> {
+    write_header(out, "<f8", links.links.len(), 3)?;
+    for link in links.links {
+        let [from, to] = links.numbers(link).map(|number| number as f64);
+        for value in [from, to, link.length] {
             out.bytes(&value.to_le_bytes())?;
         }
         out.end_row()?;

@@ -1,7 +1,7 @@
 //! Writing: the extension of the file says what sets cells apart.
 
 use crate::target::Output;
-use crate::{Error, PointSet};
+use crate::{Error, Links, PointSet};
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -32,6 +32,14 @@ impl Separator {
             Self::Blank => b' ',
         }
     }
+
+    /// Returns what stands before the names.
+    fn begin(self) -> &'static str {
+        match self {
+            Self::Comma | Self::Tab => "",
+            Self::Blank => "# ",
+        }
+    }
 }
 
 /// Writes points behind a header.
@@ -48,7 +56,7 @@ pub(crate) fn write_points(
         out.number(p.y);
         for attribute in &set.attributes {
             out.separator(separator.byte());
-            out.number(attribute.values[i]);
+            write_value(out, separator, attribute.values[i]);
         }
         if let Some(markers) = &set.markers {
             out.separator(separator.byte());
@@ -59,12 +67,38 @@ pub(crate) fn write_points(
     Ok(())
 }
 
+/// Writes a number; where there is none, the cell is empty, unless blanks set cells apart.
+fn write_value(out: &mut Output<'_>, separator: Separator, value: f64) {
+    if !value.is_nan() || separator == Separator::Blank {
+        out.number(value);
+    }
+}
+
+/// Writes links behind a header.
+pub(crate) fn write_links(
+    out: &mut Output<'_>,
+    path: Option<&Path>,
+    links: &Links<'_>,
+) -> Result<(), Error> {
+    let separator = Separator::of(path);
+    let [from, to, length] = links.names.map(quoted);
+    let (begin, between) = (separator.begin(), char::from(separator.byte()));
+    out.text(format_args!("{begin}{from}{between}{to}{between}{length}"))?;
+    out.end_line()?;
+    for link in links.links {
+        for number in links.numbers(link) {
+            out.integer(number as i64);
+            out.separator(separator.byte());
+        }
+        out.number(link.length);
+        out.end_line()?;
+    }
+    Ok(())
+}
+
 fn write_names(out: &mut Output<'_>, separator: Separator, set: &PointSet) -> Result<(), Error> {
     let between = char::from(separator.byte());
-    let begin = match separator {
-        Separator::Blank => "# ",
-        Separator::Comma | Separator::Tab => "",
-    };
+    let begin = separator.begin();
     out.text(format_args!("{begin}x{between}y"))?;
     let names = set.attributes.iter().map(|a| a.name.as_str());
     for name in names.chain(set.markers.as_ref().map(|_| "marker")) {

@@ -1,0 +1,163 @@
+//! What the commands have in common that ask something of points: input, outputs and figures.
+
+use crate::exit::Failure;
+use crate::files::{self, Content, Input, Outputs, Reading, Writing};
+use crate::job;
+use crate::memory::peak_rss_bytes;
+use crate::numbering::Numbering;
+use crate::phases::Phases;
+use crate::progress::Progress;
+use crate::words::list;
+use delone_io::{DomainData, PointSet};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Input, outputs, and how to get from one to the others.
+// Options without heading say so, lest they come under that of whatever stands before them.
+#[derive(clap::Args)]
+pub struct Task {
+    /// File of points, or `-` for standard input
+    #[arg(value_name = "POINTS", help_heading = None)]
+    input: PathBuf,
+    /// File to write, in the format that its extension names, or `-`; repeatable
+    #[arg(short, long, value_name = "OUT", help_heading = None)]
+    pub output: Vec<PathBuf>,
+    /// Picture to write, .svg or .png
+    #[arg(short, long, value_name = "PIC", help_heading = None)]
+    picture: Option<PathBuf>,
+    /// Print one JSON object with figures, seconds and memory
+    #[arg(long, help_heading = None)]
+    pub json: bool,
+    /// Number of threads; by default as many as the machine runs at once
+    #[arg(short, long, value_name = "N", help_heading = None,
+          value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    pub writing: Writing,
+}
+
+/// The figures of a run; the fields are the keys of `--json`, in this order.
+#[derive(Serialize)]
+struct Report<'a, T> {
+    #[serde(flatten)]
+    figures: &'a T,
+    threads: usize,
+    seconds: &'a Phases,
+    peak_rss_bytes: Option<u64>,
+}
+
+impl Task {
+    /// Returns the number of threads.
+    pub fn threads(&self) -> usize {
+        job::threads(self.threads)
+    }
+
+    /// Settles what is to be written: for each output what it holds, for the picture what it shows, and
+    /// `more`.
+    pub fn outputs(
+        &self,
+        content: impl Fn(&Path) -> Content,
+        picture: Content,
+        more: Option<(PathBuf, Content)>,
+    ) -> Result<Outputs, Failure> {
+        let outputs = self.output.iter().map(|o| (o.clone(), content(o)));
+        let pictures = self.picture.iter().map(|p| (p.clone(), picture));
+        let outputs = self.writing.outputs(outputs.chain(pictures).chain(more))?;
+        if outputs.use_stdout() && self.json {
+            let clash = "--json and the output `-` both want standard output; name a file for one";
+            return Err(Failure::Usage(clash.to_owned()));
+        }
+        Ok(outputs)
+    }
+
+    /// Requires that a second file is not standard input, too.
+    pub fn require_apart(&self, path: &Path) -> Result<(), Failure> {
+        if path != Path::new("-") || self.input != path {
+            return Ok(());
+        }
+        let clash = "standard input can be read but once; name a file for one of the inputs";
+        Err(Failure::Usage(clash.to_owned()))
+    }
+
+    /// Reads the points, which no output may overwrite.
+    pub fn points(
+        &self,
+        outputs: &Outputs,
+        progress: &Progress,
+    ) -> Result<(PointSet, Numbering), Failure> {
+        points_of(&self.reading.open(&self.input)?, outputs, progress)
+    }
+
+    /// Reads the points with what lies between them; no output may overwrite them.
+    pub fn domain(
+        &self,
+        outputs: &Outputs,
+        progress: &Progress,
+    ) -> Result<(DomainData, Numbering), Failure> {
+        let input = self.reading.open(&self.input)?;
+        outputs.spare(&input.files())?;
+        let (domain, unused) = input.domain(progress)?;
+        progress.note(&unused);
+        let numbering = Numbering::of(&input.name(), &domain);
+        Ok((domain, numbering))
+    }
+
+    /// Reads the points of a second file.
+    pub fn more_points(
+        &self,
+        path: &Path,
+        outputs: &Outputs,
+        progress: &Progress,
+    ) -> Result<(PointSet, Numbering), Failure> {
+        points_of(&self.open_another(path)?, outputs, progress)
+    }
+
+    /// Opens a second file, which has a format of its own.
+    pub fn open_another(&self, path: &Path) -> Result<Input, Failure> {
+        self.reading.of_another_file().open(path)
+    }
+
+    /// Tells the figures to programs or to people, with `lines` for the latter.
+    pub fn report<T: Serialize>(
+        &self,
+        figures: &T,
+        lines: &[String],
+        phases: &Phases,
+        written: &[PathBuf],
+        quiet: bool,
+    ) -> Result<(), Failure> {
+        if self.json {
+            let report = Report {
+                figures,
+                threads: self.threads(),
+                seconds: phases,
+                peak_rss_bytes: peak_rss_bytes(),
+            };
+            let json = serde_json::to_string(&report);
+            return files::print(&json.expect("bug: numbers and strings always serialise"));
+        }
+        if !quiet {
+            lines.iter().for_each(|line| eprintln!("{line}"));
+            eprintln!("{}", phases.in_words());
+            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
+            if !names.is_empty() {
+                eprintln!("wrote {}", list(&names));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn points_of(
+    input: &Input,
+    outputs: &Outputs,
+    progress: &Progress,
+) -> Result<(PointSet, Numbering), Failure> {
+    outputs.spare(&input.files())?;
+    let (points, unused) = input.points(progress)?;
+    progress.note(&unused);
+    let numbering = Numbering::from_base(&input.name(), points.base);
+    Ok((points, numbering))
+}
