@@ -62,8 +62,7 @@ pub struct Interpolate {
     /// Columns and rows of a grid, as in 400x300
     #[arg(long, value_name = "CxR", help_heading = None, value_parser = columns_and_rows)]
     grid: Option<[usize; 2]>,
-    /// How: linear in triangles; natural neighbours by area (natural) or by sides (laplace); smooth with
-    /// cubics (clough-tocher)
+    /// What the surface is like between the points
     #[arg(long, value_enum, value_name = "METHOD", default_value_t, help_heading = None)]
     method: Method,
     #[command(flatten)]

@@ -76,7 +76,7 @@ fn points_get_one_more_column() {
 #[test]
 fn every_method_reproduces_a_plane() {
     let folder = folder();
-    for method in ["linear", "natural", "laplace", "clough-tocher"] {
+    for method in ["linear", "natural", "laplace", "smooth", "clough-tocher"] {
         let line = format!("interpolate plane.csv asked.csv --method {method} -o out.csv");
         assert_eq!(json(&folder, &line)["method"], method);
         let out = folder.read("out.csv");

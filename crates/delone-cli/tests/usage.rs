@@ -295,23 +295,30 @@ fn the_examples_of_the_readme_run() {
 }
 
 #[test]
-fn the_examples_of_the_page_about_queries_run() {
+fn the_examples_of_the_pages_run() {
     let folder = Folder::new();
     std::fs::create_dir(folder.path().join("queries")).expect("a folder");
     for (name, content) in DATA {
         folder.write(&format!("queries/{name}"), content);
     }
-    folder.write("hills.csv", "x,y,height\n0,0,1\n1,0,90\n0,1,260\n");
-    let page = include_str!("../../../docs/queries.md");
-    let examples = page.lines().filter(|l| l.starts_with("delone "));
-    let examples: Vec<&str> = examples.filter(|l| !l.contains('|')).collect();
-    assert_eq!(examples.len(), 7);
-    for example in examples {
-        let output = folder.run(&example["delone ".len()..], 0);
-        // What the page quotes is what is said.
-        for line in output.stderr.lines().filter(|l| l.contains("tour")) {
-            let is_figure = line.starts_with("123 points") || line.starts_with("no tour");
-            assert!(!is_figure || page.contains(line), "{line}");
+    folder.write("survey.csv", "x,y,height\n0,0,1\n100,0,90\n0,100,260\n");
+    folder.write("huts.csv", "x,y\n20,20\n200,1\n");
+    folder.write("autzen-thin.xyz", "0 0 400\n30 0 405\n0 40 420\n");
+    let pages = [
+        (include_str!("../../../docs/queries.md"), 5),
+        (include_str!("../../../docs/terrain.md"), 4),
+    ];
+    for (page, count) in pages {
+        let examples = page.lines().filter(|l| l.starts_with("delone "));
+        let examples: Vec<&str> = examples.filter(|l| !l.contains('|')).collect();
+        assert_eq!(examples.len(), count);
+        for example in examples {
+            let output = folder.run(&example["delone ".len()..], 0);
+            // What the page quotes is what is said.
+            for line in output.stderr.lines().filter(|l| l.contains("tour")) {
+                let is_figure = line.starts_with("123 points") || line.starts_with("no tour");
+                assert!(!is_figure || page.contains(line), "{line}");
+            }
         }
     }
 }

@@ -2,17 +2,24 @@
 
 use clap::ValueEnum;
 use delone::surface::{
-    CloughTocher, Estimate, Gradients, Interpolant, Linear, NaturalNeighbor, Samples, Weighing,
+    CloughTocher, Estimate, Gradients, Interpolant, Linear, NaturalNeighbor, Samples,
+    SmoothNaturalNeighbor, Weighing,
 };
 use delone::{Error, Watch};
 
 /// How values between vertices come about.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Method {
+    /// flat triangles
     #[default]
     Linear,
+    /// natural neighbours, weighed by areas (Sibson); smooth but for tips at the points
     Natural,
+    /// natural neighbours, weighed by distances; continuous
     Laplace,
+    /// natural neighbours and slopes (Sibson); smooth at the points too, may overshoot
+    Smooth,
+    /// cubics on triangles; smooth everywhere, may overshoot
     CloughTocher,
 }
 
@@ -23,6 +30,7 @@ impl Method {
             Self::Linear => "linear",
             Self::Natural => "natural",
             Self::Laplace => "laplace",
+            Self::Smooth => "smooth",
             Self::CloughTocher => "clough-tocher",
         }
     }
@@ -30,7 +38,9 @@ impl Method {
     /// Estimates the gradients at the vertices; zero where they do not matter.
     pub fn gradients(self, samples: &Samples<'_>, watch: &dyn Watch) -> Result<Gradients, Error> {
         match self {
-            Self::CloughTocher => Gradients::estimate(samples, Estimate::Quadratic, watch),
+            Self::Smooth | Self::CloughTocher => {
+                Gradients::estimate(samples, Estimate::Quadratic, watch)
+            }
             _ => Gradients::given(samples, vec![[0.0; 2]; samples.values().len()]),
         }
     }
@@ -45,6 +55,7 @@ impl Method {
             Self::Linear => Box::new(Linear::new(samples)),
             Self::Natural => Box::new(NaturalNeighbor::new(samples, Weighing::Sibson)?),
             Self::Laplace => Box::new(NaturalNeighbor::new(samples, Weighing::Laplace)?),
+            Self::Smooth => Box::new(SmoothNaturalNeighbor::new(samples, gradients)?),
             Self::CloughTocher => Box::new(CloughTocher::new(samples, gradients)?),
         })
     }

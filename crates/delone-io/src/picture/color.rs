@@ -45,17 +45,53 @@ impl Color {
 
 /// Returns the colour at `t` from 0 (bad) to 1 (good).
 pub(crate) fn scale(t: f32) -> Color {
+    // Least colourful in the dark and in the blue, where the screen has little room.
+    at(t, 0.105 + 0.055 * t)
+}
+
+/// Returns the colour at `t` from 0 (low) to 1 (high), paler than [`scale`]: no component is cut off
+/// anywhere. Where one is, and then begins to rise, an even slope seems to have an edge.
+pub(crate) fn even_scale(t: f32) -> Color {
+    at(t, even_chroma(t))
+}
+
+fn even_chroma(t: f32) -> f32 {
+    0.085 + 0.07 * t * t
+}
+
+/// Returns the colour at `t` of the scales, from dark violet to light yellow.
+fn at(t: f32, chroma: f32) -> Color {
+    Color::from_light(light_at(t, chroma))
+}
+
+/// Returns red, green and blue of that colour as light, beyond 0 to 1 where no screen can show it.
+fn light_at(t: f32, chroma: f32) -> [f32; 3] {
     let lightness = 0.30 + 0.62 * t;
     let hue = (310.0 - 205.0 * t).to_radians();
-    // Least colourful in the dark and in the blue, where the screen has little room.
-    let chroma = 0.105 + 0.055 * t;
     let (a, b) = (chroma * hue.cos(), chroma * hue.sin());
     let l = (lightness + 0.396_337_78 * a + 0.215_803_76 * b).powi(3);
     let m = (lightness - 0.105_561_346 * a - 0.063_854_17 * b).powi(3);
     let s = (lightness - 0.089_484_18 * a - 1.291_485_5 * b).powi(3);
-    Color::from_light([
+    [
         4.076_741_7 * l - 3.307_711_6 * m + 0.230_969_94 * s,
         -1.268_438 * l + 2.609_757_4 * m - 0.341_319_4 * s,
         -0.004_196_086_3 * l - 0.703_418_6 * m + 1.707_614_7 * s,
-    ])
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_of_the_even_scale_is_cut_off() {
+        for i in 0..=1000 {
+            let t = i as f32 / 1000.0;
+            let light = light_at(t, even_chroma(t));
+            assert!(
+                light.iter().all(|l| (0.0..=1.0).contains(l)),
+                "{t}: {light:?}"
+            );
+        }
+    }
 }

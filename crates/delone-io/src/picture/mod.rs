@@ -16,7 +16,7 @@ pub(crate) mod relief;
 pub(crate) mod sheet;
 mod view;
 
-pub(crate) use color::{Color, INK, PAPER, scale};
+pub(crate) use color::{Color, INK, PAPER, even_scale, scale};
 pub(crate) use view::{Page, View};
 
 use crate::{Error, MeshView, PictureOptions, cancel};

@@ -5,7 +5,7 @@
 
 use super::glyphs::{self, Stroke};
 use super::sheet::{Anchor, Shape, Sheet};
-use super::{Color, INK, PAPER, Page, View, require_size, scale};
+use super::{Color, INK, PAPER, Page, View, even_scale, require_size};
 use crate::target::Output;
 use crate::{Error, Relief, ReliefOptions, cancel, png, svg};
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -135,7 +135,7 @@ impl<'a> Scene<'a> {
                 let column = cell(x, low[0], high[0], grid.columns());
                 let value = column.and_then(|column| raster.value(column, row));
                 if let (Some(column), Some(value)) = (column, value) {
-                    let color = scale(share(value, range));
+                    let color = even_scale(share(value, range));
                     let shade = light.as_ref().map_or(1.0, |l| l.shade(raster, column, row));
                     let [r, g, b] = shaded(color, shade).bytes();
                     *pixel =
@@ -226,7 +226,7 @@ impl<'a> Scene<'a> {
         let at = |share: f32| top + height * (1.0 - share);
         for i in (0..STEPS).rev() {
             let y = at((i + 1) as f32 / STEPS as f32);
-            let color = scale((i as f32 + 0.5) / STEPS as f32);
+            let color = even_scale((i as f32 + 0.5) / STEPS as f32);
             // Down to the foot, so that the next colour covers it and no seam can show.
             sheet.bar([left, y], [20.0 * unit, at(0.0) - y], color);
         }
