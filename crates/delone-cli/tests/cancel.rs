@@ -4,6 +4,7 @@
 mod support;
 
 use std::io::Write;
+use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -13,14 +14,25 @@ use support::Folder;
 const SOON: Duration = Duration::from_millis(if cfg!(debug_assertions) { 600 } else { 400 });
 
 fn start(folder: &Folder, line: &str, stdin: Stdio) -> Child {
-    Command::new(assert_cmd::cargo::cargo_bin("delone"))
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin("delone"));
+    command
         .current_dir(folder.path())
         .args(line.split_whitespace())
         .stdin(stdin)
         .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("the program starts")
+        .stderr(Stdio::null());
+    // Whoever runs the tests may have signals ignored, as jobs in the background do.
+    // SAFETY: between fork and exec nothing but `signal` is called, which is allowed there.
+    unsafe { command.pre_exec(heed_signals) };
+    command.spawn().expect("the program starts")
+}
+
+fn heed_signals() -> std::io::Result<()> {
+    for signal in [libc::SIGINT, libc::SIGTERM, libc::SIGHUP] {
+        // SAFETY: the default action needs no handler.
+        unsafe { libc::signal(signal, libc::SIG_DFL) };
+    }
+    Ok(())
 }
 
 fn send(child: &mut Child, signal: libc::c_int) {
