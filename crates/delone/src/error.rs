@@ -240,6 +240,16 @@ pub enum Error {
         /// Number of points.
         points: usize,
     },
+    /// A classical algorithm was given what it does not know.
+    #[error(
+        "the algorithm `{algorithm}` knows no {what}; leave that out, or take another algorithm"
+    )]
+    NotTaken {
+        /// Its name.
+        algorithm: &'static str,
+        /// What it was given.
+        what: &'static str,
+    },
     /// Something was asked of the thesis' strategy that it does not know.
     #[error("the strategy of the thesis has no {what}; use the default strategy, or do without")]
     NotInThesis {

@@ -88,14 +88,18 @@
 //!   circles, tours.
 //! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
 //!   vertices, gradients, rasters, contour lines.
+//! - [`classic`]: the classical algorithms, faithful to their texts; [`Log`], [`Scene`], [`Tally`]: their steps,
+//!   played and counted.
 //! - [`predicates`]: the exact signs.
 //!
 //! # Features
 //!
 //! - `rayon` (default): several threads. Without it everything runs on the caller's thread, with
 //!   the identical result.
+//! - `serde`: events, steps and logs can be serialised.
 
 pub mod check;
+pub mod classic;
 mod constrained;
 pub mod delaunay;
 pub mod edit;
@@ -126,7 +130,9 @@ pub use delaunay::{Delaunay, triangulate};
 pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
-pub use observe::{Event, Observer, Stage};
+pub use observe::{
+    Cut, Event, Failure, Item, Log, NoSuchStep, Observer, Queue, Scene, Stage, Step, Tally,
+};
 pub use point::Point;
 pub use pslg::{
     DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 /// A point in the plane; `y` points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Point {
     /// Abscissa.

@@ -10,6 +10,7 @@ use crate::Error;
 /// assert!((Angle::radians(1.0).to_degrees() - 57.2957795).abs() < 1e-7);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Angle {
     // In degrees: what people write must come back as they wrote it.
     degrees: f64,

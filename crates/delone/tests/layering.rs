@@ -85,7 +85,36 @@ const ROOMS: &[(&str, &[&str])] = &[
         ],
     ),
     ("quality", &["error"]),
-    ("observe", &["point", "mesh::VertexId", "quality::Angle"]),
+    (
+        "observe",
+        &[
+            "point",
+            "mesh::VertexId",
+            "quality::Angle",
+            "predicates",
+            "hash",
+        ],
+    ),
+    (
+        "classic",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "triangulation",
+            "hash",
+            "observe",
+            "quality",
+            "pslg",
+            "locate",
+            "delaunay",
+            "constrained",
+            "refine",
+            "error",
+            "watch",
+            "pace",
+        ],
+    ),
     (
         "refine",
         &[
@@ -241,7 +270,7 @@ const FOREIGN: &[(&str, &[&str])] = &[
     // What is wrong with an edit names constraints, which the ground floor does not know.
     (
         "thiserror",
-        &["error", "check", "mesh", "constrained", "edit"],
+        &["error", "check", "mesh", "constrained", "edit", "observe"],
     ),
 ];
 

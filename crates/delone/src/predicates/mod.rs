@@ -48,6 +48,11 @@ pub(crate) use power::{compare_power_meetings, power_place};
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Orientation {
     /// To the left: the three points turn counter-clockwise.
     Left,
@@ -81,6 +86,11 @@ impl Orientation {
 
 /// Where a point lies relative to a circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum CircleSide {
     /// Strictly inside.
     Inside,

@@ -120,7 +120,7 @@ impl Run<'_> {
         if let Err(why) = split::split_edges(self.start, bound, steiner, limits, observer) {
             return Ok(why);
         }
-        observer.observe(Event::StageEnded {
+        observer.tell(0, || Event::StageEnded {
             stage: Stage::SplitEdges,
             min_angle: None,
         });
@@ -158,7 +158,7 @@ impl Run<'_> {
                 if count < steiner.points.len() {
                     let first = self.start.triangulation().points().len();
                     let from = VertexId::new(first + count);
-                    observer.observe(Event::TakenBack { from });
+                    observer.tell(0, || Event::TakenBack { from });
                 }
                 return Ok((mesh, outcome));
             }

@@ -35,7 +35,8 @@ pub(super) fn split_edges(
             }
             let edge = [last, ends[0]];
             steiner.push(at, Some(edge));
-            observer.observe(Event::EdgeSplit { edge, vertex, at });
+            observer.tell(0, || Event::VertexCreated { vertex, at });
+            observer.tell(0, || Event::SegmentSplit { edge, vertex });
             (before, last) = (at, vertex);
             i += 1.0;
         }

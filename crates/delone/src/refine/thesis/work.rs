@@ -105,17 +105,20 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
     fn open_one(&mut self, t: u32, sine: f64) -> Result<(), Outcome> {
         let name = |work: &Self, t: u32| work.tables.triangles[t as usize].map(|v| work.name(v));
         let triangle = name(self, t);
-        self.observer.observe(Event::Skinniest { triangle });
+        self.observer
+            .tell(0, || Event::TriangleConsidered { triangle });
         match opening(&self.tables, t, sine) {
             Opening::Bisect(row) => {
                 let edge = self.tables.row(row).ends.map(|v| self.name(v));
-                self.observer.observe(Event::OpenedByBisection { edge });
+                self.observer
+                    .tell(0, || Event::CircumcenterRejected { triangle, edge });
                 self.bisect(row, 1)
             }
             Opening::Circumcenter(other) => {
                 let triangle = name(self, other);
+                let at = circumcenter(self.tables.corners(other));
                 self.observer
-                    .observe(Event::OpenedByCircumcenter { triangle });
+                    .tell(0, || Event::CircumcenterProposed { triangle, at });
                 self.insert_circumcenter(other)
             }
         }
@@ -151,7 +154,10 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         let edge = content.ends.map(|v| self.name(v));
         let (number, vertex, at) = self.add_vertex(at, content.is_constraint.then_some(edge));
         let suspects = self.tables.bisect(row, number);
-        self.observer.observe(Event::EdgeSplit { edge, vertex, at });
+        self.observer
+            .tell(0, || Event::VertexCreated { vertex, at });
+        self.observer
+            .tell(0, || Event::SegmentSplit { edge, vertex });
         self.flip(suspects);
         Ok(())
     }
@@ -170,12 +176,10 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         let triangle = self.tables.triangles[t as usize].map(|v| self.name(v));
         let (number, vertex, at) = self.add_vertex(at, None);
         let suspects = self.tables.insert(t, number);
-        let event = Event::TriangleSplit {
-            triangle,
-            vertex,
-            at,
-        };
-        self.observer.observe(event);
+        self.observer
+            .tell(0, || Event::VertexCreated { vertex, at });
+        self.observer
+            .tell(0, || Event::TriangleVisited { triangle });
         self.flip(suspects);
         Ok(())
     }
@@ -196,10 +200,10 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         let (names, observer) = (&self.names, &mut self.observer);
         let name = |edge: [u32; 2]| edge.map(|v| names[v as usize]);
         edge_flip(&mut self.tables, &mut self.marks, |edge, flipped| {
-            observer.observe(Event::Examined { edge: name(edge) });
+            observer.tell(0, || Event::EdgeExamined { edge: name(edge) });
             if let Some(to) = flipped {
                 let [from, to] = [edge, to].map(name);
-                observer.observe(Event::Flipped { from, to });
+                observer.tell(0, || Event::EdgeFlipped { from, to });
             }
         });
     }
@@ -209,7 +213,7 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         let cosine = skinniest.map(|t| self.tables.shape(t).cosine);
         let min_angle = cosine.map(|c| Angle::radians(libm::acos(c.min(1.0))));
         self.observer
-            .observe(Event::StageEnded { stage, min_angle });
+            .tell(0, || Event::StageEnded { stage, min_angle });
     }
 
     fn name(&self, number: u32) -> VertexId {

@@ -1,0 +1,114 @@
+//! One vertex more: joined to what it sees, as all incremental algorithms do; and what is restored then.
+
+use super::Board;
+use crate::locate::Location;
+use crate::observe::{Item, Queue};
+use crate::predicates::Orientation;
+use crate::{Event, HalfEdgeId, Observer, VertexId};
+
+impl<O: Observer> Board<'_, O> {
+    /// Joins `v` to what it sees where it lies, and returns the half-edges opposite to it,
+    /// counter-clockwise: its link.
+    ///
+    /// In a triangle it is joined to three corners, on an edge to four; outside to the ends of all hull
+    /// edges that it sees. In a row of collinear vertices it may lie on an edge, or beyond an end.
+    pub fn join(&mut self, at: Location, v: VertexId) -> Vec<HalfEdgeId> {
+        match at {
+            Location::Face(t) => self.split_face(t, v).to_vec(),
+            Location::Edge(h) => self.split_edge(h, v).to_vec(),
+            Location::Outside(h) => self.join_outside(h, v),
+            Location::Beyond(h) => self.open_edge(h, v).to_vec(),
+            Location::Vertex(_) | Location::Carved(_) | Location::Apart => {
+                unreachable!("bug: the points are distinct, and nothing is carved")
+            }
+        }
+    }
+
+    /// Joins `v`, which sees the hull edge of `h` (a half-edge of a ghost), to all hull edges that it sees.
+    ///
+    /// ```text
+    ///      z    v             The ghost of h is split: into triangle (a, b, v), and a ghost on either
+    ///       \  /|\  c        side. As long as v sees the next hull edge, bc or za, too, the spoke to
+    ///        \/ | \/         infinity between both is flipped, which makes one triangle more.
+    ///        a--h→-b
+    /// ```
+    fn join_outside(&mut self, h: HalfEdgeId, v: VertexId) -> Vec<HalfEdgeId> {
+        let mut link = self.split_face(h.triangle(), v);
+        while self.ends(link[0]).iter().any(|w| w.is_infinite()) {
+            link.rotate_left(1);
+        }
+        let [ab, mut onwards, backwards] = link;
+        let mut link = vec![ab];
+        while let Some(beyond) = self.flip_if_visible(onwards, v) {
+            link.push(onwards);
+            onwards = beyond;
+        }
+        while let Some(beyond) = self.flip_if_visible(backwards, v) {
+            link.insert(0, beyond);
+        }
+        link
+    }
+
+    /// Flips `spoke`, which joins a hull vertex to infinity and has apex `v`, if `v` sees the hull edge
+    /// beyond it. Returns the half-edge that `v` now sees besides.
+    fn flip_if_visible(&mut self, spoke: HalfEdgeId, v: VertexId) -> Option<HalfEdgeId> {
+        let twin = self.mesh().twin(spoke);
+        let [a, b] = self.ends(self.mesh().hull_edge_of(twin.triangle()));
+        let is_visible = a != v && b != v && self.orient(a, b, v) == Orientation::Left;
+        is_visible.then(|| {
+            self.flip(spoke);
+            twin.prev()
+        })
+    }
+
+    /// Makes every edge locally Delaunay again after `v` was joined: examines the edges opposite to it, and
+    /// where one is flipped the two beyond. The last one that was added is examined first.
+    pub fn restore(&mut self, link: Vec<HalfEdgeId>, lines: Restoring) {
+        let mut suspects = link;
+        self.at(lines.push);
+        for &h in &suspects {
+            self.tell_suspect(h, true);
+        }
+        while let Some(h) = suspects.pop() {
+            self.at(lines.pop);
+            self.tell_suspect(h, false);
+            self.at(lines.examine);
+            if self.is_locally_delaunay(h) {
+                continue;
+            }
+            let twin = self.mesh().twin(h);
+            self.at(lines.flip);
+            self.flip(h);
+            for suspect in [h, twin.prev()] {
+                self.tell_suspect(suspect, true);
+                suspects.push(suspect);
+            }
+        }
+    }
+
+    /// Tells that an edge begins to wait, or ends.
+    fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
+        let [a, b] = self.ends(h);
+        if a.is_infinite() || b.is_infinite() {
+            return;
+        }
+        let (queue, item) = (Queue::Suspects, Item::Edge([a.min(b), a.max(b)]));
+        self.tell(|| match is_pushed {
+            true => Event::Pushed { queue, item },
+            false => Event::Popped { queue, item },
+        });
+    }
+}
+
+/// Which lines of pseudocode [restore](Board::restore).
+#[derive(Clone, Copy)]
+pub(super) struct Restoring {
+    /// Suspects are pushed.
+    pub push: u16,
+    /// One is popped.
+    pub pop: u16,
+    /// It is examined.
+    pub examine: u16,
+    /// It is flipped, and others are pushed.
+    pub flip: u16,
+}

@@ -1,0 +1,26 @@
+//! What an algorithm hands out.
+
+use crate::{Duplicate, Point, TriangulationHash, VertexId, hash_triangles};
+
+/// Triangles, over the points of the input and those that were added.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Output {
+    /// The points of the input, in its order, then those that were added.
+    pub points: Vec<Point>,
+    /// The triangles, counter-clockwise.
+    pub triangles: Vec<[VertexId; 3]>,
+    /// The edges that are constraints, smaller end first, sorted.
+    pub constrained: Vec<[VertexId; 2]>,
+    /// The convex hull, counter-clockwise, if the algorithm finds that and no triangles.
+    pub hull: Vec<VertexId>,
+    /// Points that equal an earlier one, which stands for them.
+    pub duplicates: Vec<Duplicate>,
+}
+
+impl Output {
+    /// Hashes the triangles, as [`Triangulation::hash`](crate::Triangulation::hash) does.
+    pub fn hash(&self) -> TriangulationHash {
+        let point = |v: VertexId| self.points[v.index()];
+        hash_triangles(self.triangles.iter().map(|t| t.map(point)))
+    }
+}
