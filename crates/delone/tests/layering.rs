@@ -110,6 +110,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "delaunay",
             "constrained",
             "refine",
+            "order",
             "error",
             "watch",
             "pace",

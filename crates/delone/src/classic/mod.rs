@@ -23,6 +23,7 @@
 
 mod about;
 mod board;
+mod divide;
 mod incremental;
 mod input;
 mod joining;
@@ -42,11 +43,13 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The lecture's incremental construction, points in the given order.
     Incremental,
+    /// For comparison: the divide and conquer that this library builds with.
+    DivideAndConquer,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Incremental, Self::DivideAndConquer];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -58,6 +61,7 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Incremental => &incremental::ABOUT,
+            Self::DivideAndConquer => &divide::ABOUT,
         }
     }
 
@@ -74,10 +78,15 @@ impl Algorithm {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::TooManyPoints`]: what every builder refuses; [`Error::NotTaken`] if the
     /// input has what this algorithm does not [take](About::takes); [`Error::Cancelled`].
-    pub fn observe(self, input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
+    pub fn observe(
+        self,
+        input: &Input,
+        observer: &mut (impl Observer + Send),
+    ) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
             Self::Incremental => incremental::run(input, observer),
+            Self::DivideAndConquer => divide::run(input, observer),
         }
     }
 }

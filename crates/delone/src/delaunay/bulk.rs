@@ -5,6 +5,7 @@ use super::export;
 use super::gather::{Ordered, order};
 use super::input::{self, Class, Extent};
 use super::sheet::Sheet;
+use super::witness::Witness;
 use crate::memory::reserve;
 use crate::order::{Frame, Radix, split_power};
 use crate::parallel::Workers;
@@ -28,12 +29,13 @@ pub(super) fn build(
     points: Vec<Point>,
     workers: Workers,
     watch: &dyn Watch,
+    witness: impl Witness,
 ) -> Result<Triangulation, Error> {
     if points.is_empty() {
         let mesh = Mesh::default();
         return Ok(Triangulation::from_parts(points, mesh, 0, Vec::new()));
     }
-    let curve = Curve::build(&points, workers, watch)?;
+    let curve = Curve::build_before(&points, workers, watch, witness)?;
     hand_out(points, curve, workers, watch).ok_or(Error::Cancelled)
 }
 
@@ -58,6 +60,16 @@ impl Curve {
         workers: Workers,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
+        Self::build_before(points, workers, watch, ())
+    }
+
+    /// Does the same before a witness.
+    fn build_before(
+        points: &[Point],
+        workers: Workers,
+        watch: &dyn Watch,
+        witness: impl Witness,
+    ) -> Result<Self, Error> {
         let chunk = workers.chunk_len(points.len(), 1);
         let extent = workers
             .map(points.chunks(chunk).collect(), Extent::of)
@@ -67,8 +79,10 @@ impl Curve {
             return Err(input::first_not_finite(points).expect("bug: all points are finite"));
         }
         let curve = match extent.class() {
-            Class::Ordinary { scale } => run::<true>(points, extent, scale, workers, watch),
-            Class::Wide => run::<false>(points, extent, 0, workers, watch),
+            Class::Ordinary { scale } => {
+                run::<_, true>(points, extent, scale, workers, watch, witness)
+            }
+            Class::Wide => run::<_, false>(points, extent, 0, workers, watch, witness),
         };
         curve.ok_or(Error::Cancelled)
     }
@@ -115,35 +129,38 @@ pub(crate) struct CurveParts {
 
 /// Triangulates at least one point; with `FILTERED` their coordinates, times 2^`scale`, are ordinary.
 /// `None` if the watch cancelled.
-fn run<const FILTERED: bool>(
+fn run<W: Witness, const FILTERED: bool>(
     points: &[Point],
     extent: Extent,
     scale: i32,
     workers: Workers,
     watch: &dyn Watch,
+    witness: W,
 ) -> Option<Curve> {
     let radix = Radix::for_points(points.len());
     let frame = Frame::new(extent.min, extent.max, radix.bits);
     let ordered = order(points, &frame, radix, scale, workers, watch)?;
-    let curve = divide::<FILTERED>(ordered, &frame, workers, watch)?;
+    let curve = divide::<W, FILTERED>(ordered, &frame, workers, watch, witness)?;
     Some(Curve { scale, ..curve })
 }
 
-fn divide<const FILTERED: bool>(
+fn divide<W: Witness, const FILTERED: bool>(
     mut ordered: Ordered,
     frame: &Frame,
     workers: Workers,
     watch: &dyn Watch,
+    witness: W,
 ) -> Option<Curve> {
     let n = ordered.points.len() - 1;
     let (mut corners, mut twins) = (reserve(2 * n), reserve(2 * n));
     let rows = (corners.spare_capacity_mut(), twins.spare_capacity_mut());
     // SAFETY: the arrays outlive the sheet, and nobody touches them while it is in use.
     let sheet = unsafe { Sheet::new(&mut ordered.points, &mut ordered.keys, rows.0, rows.1) };
-    let divide = Divide::<FILTERED> {
+    let divide = Divide::<W, FILTERED> {
         sheet,
         watch,
         workers,
+        witness,
         done: 0.into(),
         has_merged: false.into(),
     };

@@ -10,6 +10,7 @@ use super::group::{Regrouped, merge_equal, sort_in_own_box, sort_lexicographical
 use super::knit::{HullVertex, merge};
 use super::leaf::{self, Hull, is_below, is_left_of};
 use super::sheet::Sheet;
+use super::witness::{Deed, Witness};
 use crate::order::{Axis, Frame};
 use crate::parallel::Workers;
 use crate::{Phase, Watch};
@@ -28,17 +29,18 @@ const LEXICOGRAPHIC: usize = 12;
 const GENERATIONS: u32 = 8;
 
 /// One run of divide and conquer.
-pub(super) struct Divide<'a, const FILTERED: bool> {
+pub(super) struct Divide<'a, W, const FILTERED: bool> {
     pub sheet: Sheet,
     pub watch: &'a dyn Watch,
     pub workers: Workers,
+    pub witness: W,
     /// Counts the points of finished tasks.
     pub done: AtomicU64,
     /// Whether equal points have been merged.
     pub has_merged: AtomicBool,
 }
 
-impl<const FILTERED: bool> Divide<'_, FILTERED> {
+impl<W: Witness, const FILTERED: bool> Divide<'_, W, FILTERED> {
     /// Triangulates the points at positions `lo..hi`; `None` if the watch cancelled.
     pub fn run(&self, lo: usize, hi: usize, frame: &Frame) -> Option<Hull> {
         if hi - lo <= task_size(FILTERED) {
@@ -74,15 +76,17 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
         match hi - lo {
             1 => return Hull::of_point(lo as u32),
             2 if self.sheet.point(lo as u32) != self.sheet.point(lo as u32 + 1) => {
-                return leaf::edge(self.sheet, lo as u32);
+                return leaf::edge(self.sheet, lo as u32, self.witness);
             }
             3 => {
-                if let Some(hull) = leaf::triangle::<FILTERED>(self.sheet, lo as u32) {
+                if let Some(hull) = leaf::triangle::<FILTERED>(self.sheet, lo as u32, self.witness)
+                {
                     return hull;
                 }
             }
             4 => {
-                if let Some(hull) = leaf::quadruple::<FILTERED>(self.sheet, lo as u32) {
+                if let Some(hull) = leaf::quadruple::<FILTERED>(self.sheet, lo as u32, self.witness)
+                {
                     return hull;
                 }
             }
@@ -112,7 +116,27 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
                 above = mid;
             }
         }
-        Some((above, frame.axis(bit)))
+        let axis = frame.axis(bit);
+        self.tell_cut(above, hi, axis);
+        Some((above, axis))
+    }
+
+    /// Tells that the points from `mid` on are cut off.
+    #[inline(always)]
+    fn tell_cut(&self, mid: usize, hi: usize, axis: Axis) {
+        if W::IS_WATCHING {
+            let place = |&v: &u32| {
+                let p = self.sheet.point(v);
+                match axis {
+                    Axis::X => p.x,
+                    Axis::Y => p.y,
+                }
+            };
+            let behind = mid as u32..hi as u32;
+            let first = behind.min_by(|v, w| place(v).total_cmp(&place(w)));
+            let first = self.sheet.name(first.expect("bug: a cut halves"));
+            self.witness.tell(Deed::Cut { axis, first });
+        }
     }
 
     /// Merges the parts before and after `mid`.
@@ -123,7 +147,7 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
             Axis::X => (left.right, right.left),
             Axis::Y => (left.top, right.bottom),
         };
-        let seam = merge::<FILTERED>(self.sheet, inner_left, inner_right, free);
+        let seam = merge::<_, FILTERED>(self.sheet, inner_left, inner_right, free, self.witness);
         // A tangent's end keeps its place on the hull, but its hull edge is a new one.
         let from_left = |v: HullVertex| {
             let ghost = if v.vertex == seam.lower[0] {
@@ -246,9 +270,10 @@ impl<const FILTERED: bool> Divide<'_, FILTERED> {
     fn solve_sorted(&self, lo: usize, hi: usize) -> Hull {
         match hi - lo {
             1 => Hull::of_point(lo as u32),
-            2 => leaf::edge(self.sheet, lo as u32),
+            2 => leaf::edge(self.sheet, lo as u32, self.witness),
             n => {
                 let mid = lo + n / 2;
+                self.tell_cut(mid, hi, Axis::X);
                 let left = self.solve_sorted(lo, mid);
                 let right = self.solve_sorted(mid, hi);
                 self.conquer(left, right, mid, Axis::X)

@@ -14,6 +14,7 @@
 use super::pair::{Mask, Pair};
 use super::sheet::Sheet;
 use super::signs::{exact_in_circle, is_left, settle};
+use super::witness::{Deed, Witness, names, tell_circle, tell_turn};
 use crate::Point;
 use crate::predicates::{IN_CIRCLE_BOUND, ORIENT2D_BOUND};
 
@@ -55,14 +56,15 @@ pub(super) struct Seam {
 /// leftmost of the right one; `bottom` and `top` are the handles of two free slots.
 ///
 /// With `FILTERED`, floating-point filters come first; they need coordinates of the ordinary class.
-pub(super) fn merge<const FILTERED: bool>(
+pub(super) fn merge<W: Witness, const FILTERED: bool>(
     sheet: Sheet,
     left: HullVertex,
     right: HullVertex,
     [bottom, top]: [u32; 2],
+    witness: W,
 ) -> Seam {
-    let (left, right) = lower_tangent::<FILTERED>(sheet, left, right);
-    let mut knit = Knit::<FILTERED>::start(sheet, left, right, bottom);
+    let (left, right) = lower_tangent::<W, FILTERED>(sheet, left, right, witness);
+    let mut knit = Knit::<W, FILTERED>::start(sheet, left, right, bottom, witness);
     knit.run();
     let upper = [knit.left, knit.right];
     knit.finish(bottom, top);
@@ -75,15 +77,18 @@ pub(super) fn merge<const FILTERED: bool>(
 }
 
 /// Walks both hulls downwards until no hull vertex lies below the line through both.
-fn lower_tangent<const FILTERED: bool>(
+fn lower_tangent<W: Witness, const FILTERED: bool>(
     sheet: Sheet,
     mut left: HullVertex,
     mut right: HullVertex,
+    witness: W,
 ) -> (HullVertex, HullVertex) {
+    witness.tell(Deed::Tangent);
     loop {
         let mut moved = false;
         if right.ghost != NONE {
             let next = sheet.corner(right.ghost + 1);
+            tell_turn(witness, sheet, [right.vertex, left.vertex, next]);
             if is_left::<FILTERED>(sheet, right.vertex, left.vertex, next) {
                 right = HullVertex {
                     vertex: next,
@@ -95,6 +100,7 @@ fn lower_tangent<const FILTERED: bool>(
         if left.ghost != NONE {
             let ghost = sheet.twin(left.ghost + 1) - 2;
             let before = sheet.corner(ghost + 2);
+            tell_turn(witness, sheet, [right.vertex, left.vertex, before]);
             if is_left::<FILTERED>(sheet, right.vertex, left.vertex, before) {
                 left = HullVertex {
                     vertex: before,
@@ -115,8 +121,9 @@ const LEFT: u32 = 1;
 const RIGHT: u32 = 2;
 
 /// The state of a merge: the base runs from `left` to `right`, everything below is knitted.
-struct Knit<const FILTERED: bool> {
+struct Knit<W, const FILTERED: bool> {
     sheet: Sheet,
+    witness: W,
     left: u32,
     right: u32,
     /// Ghost of the left hull's edge that starts at `left` and goes up.
@@ -150,8 +157,13 @@ struct Candidates {
     above: u32,
 }
 
-impl<const FILTERED: bool> Knit<FILTERED> {
-    fn start(sheet: Sheet, left: HullVertex, right: HullVertex, bottom: u32) -> Self {
+impl<W: Witness, const FILTERED: bool> Knit<W, FILTERED> {
+    fn start(sheet: Sheet, left: HullVertex, right: HullVertex, bottom: u32, witness: W) -> Self {
+        if W::IS_WATCHING {
+            let base = names(sheet, [left.vertex, right.vertex]);
+            witness.tell(Deed::Base(base));
+            witness.tell(Deed::EdgeCreated(base));
+        }
         sheet.set_ghost(bottom, left.vertex, right.vertex);
         let mut sides = 0;
         let (mut left_ghost, mut right_ghost) = (left.ghost, NONE);
@@ -172,6 +184,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         }
         Self {
             sheet,
+            witness,
             left: left.vertex,
             right: right.vertex,
             left_ghost,
@@ -214,6 +227,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
             let inner = [sheet.twin(self.left_ghost), sheet.twin(self.right_ghost)];
             let behind = inner.map(|h| sheet.corner(h));
             let (apex, inside) = self.test(&base, behind);
+            self.tell_tests(&apex, behind);
             if inside != 0 && self.delete(inside, inner, &apex, behind) {
                 continue;
             }
@@ -222,6 +236,8 @@ impl<const FILTERED: bool> Knit<FILTERED> {
                 LEFT => self.advance_left(apex.vertices[0]),
                 RIGHT => self.advance_right(apex.vertices[1]),
                 _ => {
+                    let [l, r] = apex.vertices;
+                    tell_circle(self.witness, sheet, [self.left, self.right, l, r]);
                     if self.is_right_inside(&base, &apex) {
                         self.advance_right(apex.vertices[1]);
                     } else {
@@ -322,9 +338,11 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         let left = inside & LEFT != 0 && behind[0] != self.sheet.infinite();
         let right = inside & RIGHT != 0 && behind[1] != self.sheet.infinite();
         if left {
+            self.tell_deletion([self.left, apex.vertices[0], behind[0]]);
             self.delete_left(inner[0], apex.vertices[0], behind[0]);
         }
         if right {
+            self.tell_deletion([apex.vertices[1], self.right, behind[1]]);
             self.delete_right(inner[1], apex.vertices[1], behind[1]);
         }
         left | right
@@ -358,9 +376,53 @@ impl<const FILTERED: bool> Knit<FILTERED> {
         sheet.bond(ghost, deeper);
     }
 
+    /// Tells what [`test`](Self::test) has asked.
+    #[inline(always)]
+    fn tell_tests(&self, apex: &Candidates, behind: [u32; 2]) {
+        if !W::IS_WATCHING {
+            return;
+        }
+        let (sheet, ends) = (self.sheet, [self.left, self.right]);
+        self.witness.tell(Deed::Raise(names(sheet, ends)));
+        for side in [0, 1] {
+            let [l, r, v] = [ends[0], ends[1], apex.vertices[side]];
+            if self.sides >> side & 1 == 1 {
+                tell_turn(self.witness, sheet, [l, r, v]);
+            }
+            if apex.above >> side & 1 == 1 {
+                tell_circle(self.witness, sheet, [l, r, v, behind[side]]);
+            }
+        }
+    }
+
+    /// Tells that a triangle goes, and its edge between the first two corners.
+    #[inline(always)]
+    fn tell_deletion(&self, triangle: [u32; 3]) {
+        if W::IS_WATCHING {
+            let triangle = names(self.sheet, triangle);
+            self.witness.tell(Deed::Delete);
+            self.witness.tell(Deed::TriangleDeleted(triangle));
+            self.witness
+                .tell(Deed::EdgeDeleted([triangle[0], triangle[1]]));
+        }
+    }
+
+    /// Tells that the base is joined to an apex.
+    #[inline(always)]
+    fn tell_join(&self, edge: [u32; 2], triangle: [u32; 3]) {
+        if W::IS_WATCHING {
+            self.witness.tell(Deed::Join);
+            self.witness
+                .tell(Deed::EdgeCreated(names(self.sheet, edge)));
+            self.witness
+                .tell(Deed::TriangleCreated(names(self.sheet, triangle)));
+        }
+    }
+
     /// Turns the left ghost into the triangle (right, apex, left).
     #[inline(always)]
     fn advance_left(&mut self, apex: u32) {
+        self.tell_join([self.right, apex], [self.right, apex, self.left]);
         let (sheet, ghost) = (self.sheet, self.left_ghost);
         sheet.set_corner(ghost, self.right);
         sheet.bond(ghost + 1, self.base);
@@ -372,6 +434,7 @@ impl<const FILTERED: bool> Knit<FILTERED> {
     /// Turns the right ghost into the triangle (left, right, apex).
     #[inline(always)]
     fn advance_right(&mut self, apex: u32) {
+        self.tell_join([self.left, apex], [self.left, self.right, apex]);
         let (sheet, ghost) = (self.sheet, self.right_ghost);
         sheet.set_corner(ghost, self.left);
         sheet.bond(ghost + 2, self.base);

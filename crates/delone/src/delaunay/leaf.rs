@@ -3,6 +3,7 @@
 use super::knit::{HullVertex, NONE};
 use super::sheet::Sheet;
 use super::signs::{is_inside, turn};
+use super::witness::{Witness, is_watching, tell_circle, tell_leaf, tell_turn};
 use crate::predicates::Orientation;
 
 /// The four extreme hull vertices; ties are broken as in the frame turned by the cut:
@@ -117,30 +118,47 @@ impl<const HALF_EDGES: usize> Template<HALF_EDGES> {
 
 /// Joins the two different points at positions `lo` and `lo + 1`.
 #[inline]
-pub(super) fn edge(sheet: Sheet, lo: u32) -> Hull {
+pub(super) fn edge(sheet: Sheet, lo: u32, witness: impl Witness) -> Hull {
     let base = 6 * lo;
     EDGE.write(sheet, base, [lo, lo + 1, lo, lo]);
+    if is_watching(witness) {
+        tell_leaf(witness, sheet, base, 2);
+    }
     Hull::of(sheet, ghosts(base, [lo, lo + 1], 0))
 }
 
 /// Triangulates the three points from `lo` on; `None` if they lie on a line.
 #[inline]
-pub(super) fn triangle<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<Hull> {
+pub(super) fn triangle<const FILTERED: bool>(
+    sheet: Sheet,
+    lo: u32,
+    witness: impl Witness,
+) -> Option<Hull> {
     let base = 6 * lo;
-    let [a, b, c] = counter_clockwise::<FILTERED>(sheet, lo)?;
+    let [a, b, c] = counter_clockwise::<FILTERED>(sheet, lo, witness)?;
     TRIANGLE.write(sheet, base, [a, b, c, a]);
+    if is_watching(witness) {
+        tell_leaf(witness, sheet, base, 4);
+    }
     Some(Hull::of(sheet, ghosts(base, [a, b, c], 1)))
 }
 
 /// Triangulates the four points from `lo` on; `None` if three of them may lie on a line.
 #[inline]
-pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<Hull> {
-    let [a, b, c] = counter_clockwise::<FILTERED>(sheet, lo)?;
+pub(super) fn quadruple<const FILTERED: bool>(
+    sheet: Sheet,
+    lo: u32,
+    witness: impl Witness,
+) -> Option<Hull> {
+    let [a, b, c] = counter_clockwise::<FILTERED>(sheet, lo, witness)?;
     let d = lo + 3;
-    let beyond = |p: u32, q: u32| match turn::<FILTERED>(sheet, p, q, d) {
-        Orientation::Left => Some(0),
-        Orientation::Right => Some(1),
-        Orientation::Collinear => None,
+    let beyond = |p: u32, q: u32| {
+        tell_turn(witness, sheet, [p, q, d]);
+        match turn::<FILTERED>(sheet, p, q, d) {
+            Orientation::Left => Some(0),
+            Orientation::Right => Some(1),
+            Orientation::Collinear => None,
+        }
     };
     let base = 6 * lo;
     let index = beyond(a, b)? | beyond(b, c)? << 1 | beyond(c, a)? << 2;
@@ -150,6 +168,7 @@ pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<H
     };
     // d lies beyond the edge pq of the triangle pqr.
     let quadrilateral = |p, q, r| {
+        tell_circle(witness, sheet, [p, q, r, d]);
         let [p, q, r, s] = if is_inside::<FILTERED>(sheet, p, q, r, d) {
             [d, q, r, p]
         } else {
@@ -158,7 +177,7 @@ pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<H
         QUADRILATERAL.write(sheet, base, [p, q, r, s]);
         Hull::of(sheet, ghosts(base, [p, q, r, s], 2))
     };
-    Some(match index {
+    let hull = match index {
         0b000 => fan(a, b, c, d),
         0b001 => quadrilateral(a, b, c),
         0b010 => quadrilateral(b, c, a),
@@ -167,12 +186,21 @@ pub(super) fn quadruple<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<H
         0b011 => fan(a, d, c, b),
         0b110 => fan(b, d, a, c),
         _ => fan(c, d, b, a),
-    })
+    };
+    if is_watching(witness) {
+        tell_leaf(witness, sheet, base, 6);
+    }
+    Some(hull)
 }
 
 /// The first three points from `lo` on, counter-clockwise; `None` if they lie on a line.
 #[inline(always)]
-fn counter_clockwise<const FILTERED: bool>(sheet: Sheet, lo: u32) -> Option<[u32; 3]> {
+fn counter_clockwise<const FILTERED: bool>(
+    sheet: Sheet,
+    lo: u32,
+    witness: impl Witness,
+) -> Option<[u32; 3]> {
+    tell_turn(witness, sheet, [lo, lo + 1, lo + 2]);
     match turn::<FILTERED>(sheet, lo, lo + 1, lo + 2) {
         Orientation::Left => Some([lo, lo + 1, lo + 2]),
         Orientation::Right => Some([lo, lo + 2, lo + 1]),

@@ -25,12 +25,14 @@ mod pair;
 mod sheet;
 mod signs;
 mod vertices;
+mod witness;
 
 pub(crate) use bulk::{Curve, CurveParts, check_number};
 pub(crate) use export::{duplicates, rename};
 pub use incremental::{Incremental, Inserted};
 pub(crate) use insertion::{Growing, insert};
 pub(crate) use vertices::of_vertices;
+pub(crate) use witness::{Deed, Witness};
 
 use crate::{Error, Point, Triangulation, Watch, parallel};
 
@@ -95,6 +97,18 @@ impl<'w> Delaunay<'w> {
         let points: Vec<Point> = points.into_iter().map(Into::into).collect();
         check_number(points.len())?;
         let watch = self.watch;
-        parallel::with_workers(self.threads, |workers| bulk::build(points, workers, watch))?
+        parallel::with_workers(self.threads, |workers| {
+            bulk::build(points, workers, watch, ())
+        })?
     }
+}
+
+/// Triangulates on the current thread, before a witness.
+pub(crate) fn triangulate_before(
+    points: Vec<Point>,
+    watch: &dyn Watch,
+    witness: impl Witness,
+) -> Result<Triangulation, Error> {
+    check_number(points.len())?;
+    bulk::build(points, parallel::Workers::ONE, watch, witness)
 }

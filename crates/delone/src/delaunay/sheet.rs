@@ -155,6 +155,14 @@ impl Sheet {
         self.kill(from);
     }
 
+    /// The number of vertex `v` in the caller's numbering.
+    #[inline(always)]
+    pub fn name(self, v: u32) -> VertexId {
+        debug_assert!(v < self.num_points);
+        // SAFETY: v is in range.
+        VertexId::from(unsafe { *self.keys.add(v as usize) } as u32)
+    }
+
     /// The sort key of the point at position `i`, in the frame of its group.
     #[inline(always)]
     pub fn key(self, i: usize) -> u32 {

@@ -171,7 +171,7 @@ impl Scene {
             Event::VertexDeleted { vertex, at } => self.delete_vertex(vertex, at),
             Event::EdgeCreated { edge } => self.create_edge(edge),
             Event::EdgeDeleted { edge } => self.delete_edge(edge),
-            Event::EdgeLocked { edge } => require(self.locked.insert(ascending(edge)), "is locked"),
+            Event::EdgeLocked { edge } => self.lock(edge),
             Event::EdgeUnlocked { edge } => {
                 require(self.locked.remove(&ascending(edge)), "is not locked")
             }
@@ -237,10 +237,17 @@ impl Scene {
         let sides = [[a, b], [b, a]];
         let is_bare = sides.iter().all(|edge| !self.apexes.contains_key(edge));
         require(is_bare, "it has a triangle")?;
+        require(!self.is_locked([a, b]), "it is locked")?;
         require(
             self.edges.remove(&ascending([a, b])),
             "there is no such edge",
         )
+    }
+
+    fn lock(&mut self, edge: [VertexId; 2]) -> Result<(), &'static str> {
+        let edge = ascending(edge);
+        require(self.edges.contains(&edge), "there is no such edge")?;
+        require(self.locked.insert(edge), "it is locked")
     }
 
     fn create_triangle(&mut self, triangle: [VertexId; 3]) -> Result<(), &'static str> {
