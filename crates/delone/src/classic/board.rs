@@ -16,6 +16,8 @@ use std::collections::BTreeSet;
 pub(super) struct Board<'r, O> {
     points: Vec<Point>,
     mesh: Mesh,
+    /// For each vertex of the mesh a half-edge that starts there.
+    spokes: Vec<HalfEdgeId>,
     /// Constrained edges, smaller end first.
     locked: BTreeSet<[VertexId; 2]>,
     duplicates: Vec<Duplicate>,
@@ -31,6 +33,7 @@ impl<'r, O: Observer> Board<'r, O> {
         let sites = Sites::of(input)?;
         let board = Self {
             pace: Pace::new(input.watch, Phase::Triangulate, sites.order.len() as u64),
+            spokes: vec![HalfEdgeId::new(0); sites.points.len()],
             points: sites.points,
             mesh: Mesh::default(),
             locked: BTreeSet::new(),
@@ -77,6 +80,29 @@ impl<'r, O: Observer> Board<'r, O> {
     #[inline]
     pub fn point(&self, v: VertexId) -> Point {
         self.points[v.index()]
+    }
+
+    /// Returns a half-edge that starts at a vertex of the mesh.
+    pub fn spoke(&self, v: VertexId) -> HalfEdgeId {
+        self.spokes[v.index()]
+    }
+
+    /// Finds the half-edge from one vertex of the mesh to another.
+    ///
+    /// *Cost*: the degree of the first.
+    pub fn edge(&self, [a, b]: [VertexId; 2]) -> Option<HalfEdgeId> {
+        let mut star = self.mesh.star(self.spoke(a));
+        star.find(|&h| self.mesh.dest(h) == b)
+    }
+
+    /// Notes where the half-edges of faces start that have been written.
+    fn note(&mut self, faces: impl IntoIterator<Item = TriangleId>) {
+        for h in faces.into_iter().flat_map(TriangleId::half_edges) {
+            let v = self.mesh.origin(h);
+            if !v.is_infinite() {
+                self.spokes[v.index()] = h;
+            }
+        }
     }
 
     /// Returns the ends of a half-edge.
@@ -142,7 +168,8 @@ impl<'r, O: Observer> Board<'r, O> {
     /// [`Mesh::seed`]: the mesh of two vertices.
     pub fn seed(&mut self, a: VertexId, b: VertexId) -> HalfEdgeId {
         let h = self.mesh.seed(a, b);
-        self.tell_change(&[], None, &[[a, b]], &[]);
+        self.note([h, self.mesh.twin(h)].map(HalfEdgeId::triangle));
+        self.tell_change(&[], &[], &[[a, b]], &[]);
         h
     }
 
@@ -150,8 +177,9 @@ impl<'r, O: Observer> Board<'r, O> {
     pub fn split_face(&mut self, t: TriangleId, v: VertexId) -> [HalfEdgeId; 3] {
         let old = self.mesh.corners(t);
         let link = self.mesh.split_face(t, v);
+        self.note(link.map(HalfEdgeId::triangle));
         let new = link.map(|h| self.mesh.corners(h.triangle()));
-        self.tell_change(&[old], None, &old.map(|w| [v, w]), &new);
+        self.tell_change(&[old], &[], &old.map(|w| [v, w]), &new);
         link
     }
 
@@ -167,8 +195,9 @@ impl<'r, O: Observer> Board<'r, O> {
             self.tell(|| Event::EdgeUnlocked { edge: [a, b] });
         }
         let link = self.mesh.split_edge(h, v);
+        self.note(link.map(HalfEdgeId::triangle));
         let new = link.map(|h| self.mesh.corners(h.triangle()));
-        self.tell_change(&old, Some([a, b]), &around.map(|w| [v, w]), &new);
+        self.tell_change(&old, &[[a, b]], &around.map(|w| [v, w]), &new);
         for end in [a, b].into_iter().filter(|_| was_locked) {
             let edge = ascending([end, v]);
             self.locked.insert(edge);
@@ -181,7 +210,8 @@ impl<'r, O: Observer> Board<'r, O> {
     pub fn open_edge(&mut self, h: HalfEdgeId, v: VertexId) -> [HalfEdgeId; 2] {
         let ends = self.ends(h);
         let link = self.mesh.open_edge(h, v);
-        self.tell_change(&[], None, &ends.map(|w| [v, w]), &[]);
+        self.note(link.map(HalfEdgeId::triangle));
+        self.tell_change(&[], &[], &ends.map(|w| [v, w]), &[]);
         link
     }
 
@@ -192,19 +222,45 @@ impl<'r, O: Observer> Board<'r, O> {
         let to = [self.mesh.apex(h), self.mesh.apex(g)];
         let old = [h, g].map(|s| self.mesh.corners(s.triangle()));
         self.mesh.flip(h);
+        self.note([h, g].map(HalfEdgeId::triangle));
         if !from.iter().chain(&to).any(|v| v.is_infinite()) {
             self.tell(|| Event::EdgeFlipped { from, to });
             return;
         }
         let new = [h, g].map(|s| self.mesh.corners(s.triangle()));
-        self.tell_change(&old, Some(from), &[to], &new);
+        self.tell_change(&old, &[from], &[to], &new);
+    }
+
+    /// [`Mesh::fill`]: joins `v` to the rim of a disc of faces, instead of what was in it.
+    pub fn fill(&mut self, mut faces: Vec<TriangleId>, rim: &[HalfEdgeId], v: VertexId) {
+        let old: Vec<_> = faces.iter().map(|&t| self.mesh.corners(t)).collect();
+        let inner = self.inner_edges(&faces);
+        self.mesh.fill(&mut faces, rim, &mut Vec::new(), v);
+        self.note(faces.iter().copied());
+        let new: Vec<_> = faces.iter().map(|&t| self.mesh.corners(t)).collect();
+        let spokes: Vec<_> = rim.iter().map(|&h| [v, self.mesh.origin(h)]).collect();
+        self.tell_change(&old, &inner, &spokes, &new);
+    }
+
+    /// Returns the edges between faces of a disc, if anybody listens.
+    fn inner_edges(&self, faces: &[TriangleId]) -> Vec<[VertexId; 2]> {
+        if !self.observer.is_watching() {
+            return Vec::new();
+        }
+        let disc: BTreeSet<_> = faces.iter().copied().collect();
+        let half_edges = faces.iter().flat_map(|t| t.half_edges());
+        let inner = half_edges.filter(|&h| {
+            let g = self.mesh.twin(h);
+            h < g && disc.contains(&g.triangle())
+        });
+        inner.map(|h| self.ends(h)).collect()
     }
 
     /// Tells of faces and edges that go and come, as far as they are finite.
     fn tell_change(
         &mut self,
         old: &[[VertexId; 3]],
-        gone: Option<[VertexId; 2]>,
+        gone: &[[VertexId; 2]],
         edges: &[[VertexId; 2]],
         new: &[[VertexId; 3]],
     ) {
@@ -214,7 +270,7 @@ impl<'r, O: Observer> Board<'r, O> {
         for triangle in old.iter().copied().filter(is_finite) {
             self.tell(|| Event::TriangleDeleted { triangle });
         }
-        for edge in gone.into_iter().filter(is_finite) {
+        for edge in gone.iter().copied().filter(is_finite) {
             self.tell(|| Event::EdgeDeleted { edge });
         }
         for edge in edges.iter().copied().filter(is_finite) {

@@ -24,6 +24,12 @@ impl<O: Observer> Board<'_, O> {
         }
     }
 
+    /// Joins `v`, which sees the hull edge of `h` (a half-edge of a ghost), to the boundary between two
+    /// vertices, counter-clockwise: what it sees has been found before.
+    pub fn join_chain(&mut self, h: HalfEdgeId, v: VertexId, [first, last]: [VertexId; 2]) {
+        self.fan(h, v, |_, [a, b]| a != first && b != last);
+    }
+
     /// Joins `v`, which sees the hull edge of `h` (a half-edge of a ghost), to all hull edges that it sees.
     ///
     /// ```text
@@ -33,17 +39,29 @@ impl<O: Observer> Board<'_, O> {
     ///        a--h→-b
     /// ```
     fn join_outside(&mut self, h: HalfEdgeId, v: VertexId) -> Vec<HalfEdgeId> {
+        self.fan(h, v, |board, [a, b]| {
+            board.orient(a, b, v) == Orientation::Left
+        })
+    }
+
+    /// Joins `v` to the hull edge of `h`, and to those after and before it as long as `sees` says so.
+    fn fan(
+        &mut self,
+        h: HalfEdgeId,
+        v: VertexId,
+        sees: impl Fn(&mut Self, [VertexId; 2]) -> bool,
+    ) -> Vec<HalfEdgeId> {
         let mut link = self.split_face(h.triangle(), v);
         while self.ends(link[0]).iter().any(|w| w.is_infinite()) {
             link.rotate_left(1);
         }
         let [ab, mut onwards, backwards] = link;
         let mut link = vec![ab];
-        while let Some(beyond) = self.flip_if_visible(onwards, v) {
+        while let Some(beyond) = self.flip_if(onwards, v, &sees) {
             link.push(onwards);
             onwards = beyond;
         }
-        while let Some(beyond) = self.flip_if_visible(backwards, v) {
+        while let Some(beyond) = self.flip_if(backwards, v, &sees) {
             link.insert(0, beyond);
         }
         link
@@ -51,14 +69,31 @@ impl<O: Observer> Board<'_, O> {
 
     /// Flips `spoke`, which joins a hull vertex to infinity and has apex `v`, if `v` sees the hull edge
     /// beyond it. Returns the half-edge that `v` now sees besides.
-    fn flip_if_visible(&mut self, spoke: HalfEdgeId, v: VertexId) -> Option<HalfEdgeId> {
+    fn flip_if(
+        &mut self,
+        spoke: HalfEdgeId,
+        v: VertexId,
+        sees: impl Fn(&mut Self, [VertexId; 2]) -> bool,
+    ) -> Option<HalfEdgeId> {
         let twin = self.mesh().twin(spoke);
         let [a, b] = self.ends(self.mesh().hull_edge_of(twin.triangle()));
-        let is_visible = a != v && b != v && self.orient(a, b, v) == Orientation::Left;
+        let is_visible = a != v && b != v && sees(self, [a, b]);
         is_visible.then(|| {
             self.flip(spoke);
             twin.prev()
         })
+    }
+
+    /// Lays a row of collinear vertices, sorted along their line.
+    pub fn lay_row(&mut self, row: &[VertexId]) {
+        let [a, b, rest @ ..] = row else { return };
+        self.seed(*a, *b);
+        let mut end = *b;
+        for &v in rest {
+            let outwards = self.edge([end, VertexId::INFINITE]);
+            self.open_edge(outwards.expect("bug: the end of a row is on the hull"), v);
+            end = v;
+        }
     }
 
     /// Makes every edge locally Delaunay again after `v` was joined: examines the edges opposite to it, and

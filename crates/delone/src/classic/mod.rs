@@ -23,6 +23,9 @@
 
 mod about;
 mod board;
+mod bowyer_watson;
+mod cline_renka;
+mod convex_hull;
 mod divide;
 mod incremental;
 mod input;
@@ -43,13 +46,25 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The lecture's incremental construction, points in the given order.
     Incremental,
+    /// The chapter's convex hull.
+    ConvexHull,
+    /// The chapter's triangulation, after Cline and Renka.
+    ClineRenka,
+    /// For comparison: Bowyer and Watson's.
+    BowyerWatson,
     /// For comparison: the divide and conquer that this library builds with.
     DivideAndConquer,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental, Self::DivideAndConquer];
+    pub const ALL: &[Self] = &[
+        Self::Incremental,
+        Self::ConvexHull,
+        Self::ClineRenka,
+        Self::BowyerWatson,
+        Self::DivideAndConquer,
+    ];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -61,6 +76,9 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Incremental => &incremental::ABOUT,
+            Self::ConvexHull => &convex_hull::ABOUT,
+            Self::ClineRenka => &cline_renka::ABOUT,
+            Self::BowyerWatson => &bowyer_watson::ABOUT,
             Self::DivideAndConquer => &divide::ABOUT,
         }
     }
@@ -86,6 +104,9 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Incremental => incremental::run(input, observer),
+            Self::ConvexHull => convex_hull::run(input, observer),
+            Self::ClineRenka => cline_renka::run(input, observer),
+            Self::BowyerWatson => bowyer_watson::run(input, observer),
             Self::DivideAndConquer => divide::run(input, observer),
         }
     }

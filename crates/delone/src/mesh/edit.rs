@@ -222,6 +222,43 @@ impl Mesh {
         self.remove_faces([h.triangle(), g.triangle()])
     }
 
+    /// Replaces a disc of `faces` by triangles that join `v` to its `rim`: the half-edges beyond it,
+    /// counter-clockwise. Faces that are left over are appended to `free`, and taken from there, or made,
+    /// when there are too few.
+    ///
+    /// ```text
+    ///        .--<--.                       .-----.
+    ///       / \   / \                     / \   / \      n edges around, k vertices inside:
+    ///      '---- x ---'         →        '---- v ---'    n − 2 + 2k faces before, n after
+    ///       \ /   \ /                     \ /   \ /
+    ///        '-->--'                       '-----'
+    /// ```
+    ///
+    /// Returns a half-edge that starts at `v`. *Ids invalidated*: half-edges of the disc.
+    pub(crate) fn fill(
+        &mut self,
+        faces: &mut Vec<TriangleId>,
+        rim: &[HalfEdgeId],
+        free: &mut Vec<TriangleId>,
+        v: VertexId,
+    ) -> HalfEdgeId {
+        let n = rim.len();
+        while faces.len() < n {
+            let t = free.pop().unwrap_or_else(|| self.push_face([v; 3]));
+            faces.push(t);
+        }
+        free.extend(faces.drain(n..));
+        let mut before = faces[n - 1].half_edges()[1];
+        for (&t, &outer) in faces.iter().zip(rim) {
+            let [base, incoming, outgoing] = t.half_edges();
+            self.replace_face(t, [v, self.dest(outer), self.origin(outer)]);
+            self.bond(base, outer);
+            self.bond(outgoing, before);
+            before = incoming;
+        }
+        faces[0].half_edges()[2]
+    }
+
     /// Drops all faces.
     pub(crate) fn clear(&mut self) {
         self.corners.clear();

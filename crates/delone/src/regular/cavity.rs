@@ -63,20 +63,6 @@ impl Cavity {
     ///
     /// *Ids invalidated*: all half-edges in the cavity.
     pub fn fill(&mut self, mesh: &mut Mesh, free: &mut Vec<TriangleId>, v: VertexId) -> HalfEdgeId {
-        let n = self.rim.len();
-        while self.faces.len() < n {
-            let t = free.pop().unwrap_or_else(|| mesh.push_face([v; 3]));
-            self.faces.push(t);
-        }
-        free.extend(self.faces.drain(n..));
-        let mut before = self.faces[n - 1].half_edges()[1];
-        for (&t, &outer) in self.faces.iter().zip(&self.rim) {
-            let [base, incoming, outgoing] = t.half_edges();
-            mesh.replace_face(t, [v, mesh.dest(outer), mesh.origin(outer)]);
-            mesh.bond(base, outer);
-            mesh.bond(outgoing, before);
-            before = incoming;
-        }
-        before
+        mesh.fill(&mut self.faces, &self.rim, free, v)
     }
 }

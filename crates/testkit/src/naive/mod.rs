@@ -7,12 +7,14 @@
 //! arithmetic, [`naive_constrained`] decides which triangles see no point in their circles, and
 //! [`naive_domain`] which of them belong to the domain.
 
+mod all;
 mod constrained;
 mod domain;
 mod facts;
 mod noding;
 mod pairs;
 
+pub use all::{all_triangulations, compare_angles, compare_least_angles};
 pub use constrained::naive_constrained;
 pub use domain::{NaiveDomain, naive_domain};
 pub use facts::naive_facts;
