@@ -25,8 +25,12 @@ mod about;
 mod board;
 mod incremental;
 mod input;
+mod inside;
 mod joining;
 mod output;
+mod segments;
+mod start;
+mod sweep;
 
 pub use about::{About, Takes};
 use board::Board;
@@ -40,13 +44,15 @@ use crate::{Error, Observer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Algorithm {
+    /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
+    Sweep,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Sweep, Self::Incremental];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -57,6 +63,7 @@ impl Algorithm {
     /// Describes it.
     pub fn about(self) -> &'static About {
         match self {
+            Self::Sweep => &sweep::ABOUT,
             Self::Incremental => &incremental::ABOUT,
         }
     }
@@ -77,6 +84,7 @@ impl Algorithm {
     pub fn observe(self, input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
+            Self::Sweep => sweep::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
         }
     }
