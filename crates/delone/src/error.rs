@@ -240,6 +240,14 @@ pub enum Error {
         /// Number of points.
         points: usize,
     },
+    /// A triangle of a triangulation to begin with cannot be part of one.
+    #[error("triangle {triangle} cannot be part of a triangulation to begin with: {why}")]
+    BadStart {
+        /// Index of the triangle.
+        triangle: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// A classical algorithm was given what it does not know.
     #[error(
         "the algorithm `{algorithm}` knows no {what}; leave that out, or take another algorithm"

@@ -29,8 +29,12 @@ mod convex_hull;
 mod divide;
 mod incremental;
 mod input;
+mod inside;
 mod joining;
 mod output;
+mod segments;
+mod start;
+mod sweep;
 
 pub use about::{About, Takes};
 use board::Board;
@@ -44,6 +48,8 @@ use crate::{Error, Observer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Algorithm {
+    /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
+    Sweep,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
     /// The chapter's convex hull.
@@ -59,6 +65,7 @@ pub enum Algorithm {
 impl Algorithm {
     /// All of them, by source.
     pub const ALL: &[Self] = &[
+        Self::Sweep,
         Self::Incremental,
         Self::ConvexHull,
         Self::ClineRenka,
@@ -75,6 +82,7 @@ impl Algorithm {
     /// Describes it.
     pub fn about(self) -> &'static About {
         match self {
+            Self::Sweep => &sweep::ABOUT,
             Self::Incremental => &incremental::ABOUT,
             Self::ConvexHull => &convex_hull::ABOUT,
             Self::ClineRenka => &cline_renka::ABOUT,
@@ -103,6 +111,7 @@ impl Algorithm {
     ) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
+            Self::Sweep => sweep::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
             Self::ConvexHull => convex_hull::run(input, observer),
             Self::ClineRenka => cline_renka::run(input, observer),
