@@ -27,6 +27,8 @@ mod incremental;
 mod input;
 mod joining;
 mod output;
+mod sweep_circle;
+mod swept;
 
 pub use about::{About, Takes};
 use board::Board;
@@ -42,11 +44,13 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The lecture's incremental construction, points in the given order.
     Incremental,
+    /// Sinclair's sweep circle: points by their distance from the middle.
+    SweepCircle,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Incremental, Self::SweepCircle];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -58,6 +62,7 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Incremental => &incremental::ABOUT,
+            Self::SweepCircle => &sweep_circle::ABOUT,
         }
     }
 
@@ -78,6 +83,7 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Incremental => incremental::run(input, observer),
+            Self::SweepCircle => sweep_circle::run(input, observer),
         }
     }
 }
