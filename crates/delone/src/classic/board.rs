@@ -68,6 +68,11 @@ impl<'r, O: Observer> Board<'r, O> {
         &self.mesh
     }
 
+    /// Replaces the mesh by one of which everything has been told.
+    pub fn replace_mesh(&mut self, mesh: Mesh) {
+        self.mesh = mesh;
+    }
+
     /// Returns where all vertices lie.
     pub fn points(&self) -> &[Point] {
         &self.points

@@ -22,7 +22,9 @@
 //! ```
 
 mod about;
+mod adopting;
 mod board;
+mod fortune;
 mod incremental;
 mod input;
 mod joining;
@@ -46,11 +48,13 @@ pub enum Algorithm {
     Incremental,
     /// Sinclair's sweep circle: points by their distance from the middle.
     SweepCircle,
+    /// Fortune's sweep, whose front is made of parabolas.
+    Fortune,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental, Self::SweepCircle];
+    pub const ALL: &[Self] = &[Self::Incremental, Self::SweepCircle, Self::Fortune];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -63,6 +67,7 @@ impl Algorithm {
         match self {
             Self::Incremental => &incremental::ABOUT,
             Self::SweepCircle => &sweep_circle::ABOUT,
+            Self::Fortune => &fortune::ABOUT,
         }
     }
 
@@ -84,6 +89,7 @@ impl Algorithm {
         match self {
             Self::Incremental => incremental::run(input, observer),
             Self::SweepCircle => sweep_circle::run(input, observer),
+            Self::Fortune => fortune::run(input, observer),
         }
     }
 }

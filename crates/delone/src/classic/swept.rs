@@ -8,6 +8,11 @@ use crate::{Event, Observer};
 pub(super) struct Swept(Option<f64>);
 
 impl Swept {
+    /// Returns where it is; unknown if nobody watches.
+    pub fn position(&self) -> Option<f64> {
+        self.0
+    }
+
     /// Tells that it is elsewhere, at most at the largest number.
     pub fn tell_at<O: Observer>(&mut self, board: &mut Board<O>, position: impl FnOnce() -> f64) {
         let from = self.0;
