@@ -269,7 +269,7 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> CircleSide {
 /// Neither focus may lie below `p`, or in `p`; beside it, the parabola is infinitely high.
 ///
 /// Laws, for all such points: a total preorder of the foci for each `p`, reversed when `a` and `b` are
-/// exchanged; for foci of the same height that of [`compare_distances`]; where it is equal, and the foci
+/// exchanged; for foci of the same height, above `p`, that of [`compare_distances`]; where it is equal, and the foci
 /// differ, `p` is the lowest point of the circle through the three.
 ///
 /// ```
