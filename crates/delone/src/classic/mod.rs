@@ -22,11 +22,13 @@
 //! ```
 
 mod about;
+mod adopting;
 mod board;
 mod bowyer_watson;
 mod cline_renka;
 mod convex_hull;
 mod divide;
+mod fortune;
 mod incremental;
 mod input;
 mod inside;
@@ -35,6 +37,8 @@ mod output;
 mod segments;
 mod start;
 mod sweep;
+mod sweep_circle;
+mod swept;
 
 pub use about::{About, Takes};
 use board::Board;
@@ -58,6 +62,10 @@ pub enum Algorithm {
     ClineRenka,
     /// For comparison: Bowyer and Watson's.
     BowyerWatson,
+    /// For comparison: Sinclair's sweep circle, points by their distance from the middle.
+    SweepCircle,
+    /// For comparison: Fortune's sweep, whose front is made of parabolas.
+    Fortune,
     /// For comparison: the divide and conquer that this library builds with.
     DivideAndConquer,
 }
@@ -70,6 +78,8 @@ impl Algorithm {
         Self::ConvexHull,
         Self::ClineRenka,
         Self::BowyerWatson,
+        Self::SweepCircle,
+        Self::Fortune,
         Self::DivideAndConquer,
     ];
 
@@ -87,6 +97,8 @@ impl Algorithm {
             Self::ConvexHull => &convex_hull::ABOUT,
             Self::ClineRenka => &cline_renka::ABOUT,
             Self::BowyerWatson => &bowyer_watson::ABOUT,
+            Self::SweepCircle => &sweep_circle::ABOUT,
+            Self::Fortune => &fortune::ABOUT,
             Self::DivideAndConquer => &divide::ABOUT,
         }
     }
@@ -116,6 +128,8 @@ impl Algorithm {
             Self::ConvexHull => convex_hull::run(input, observer),
             Self::ClineRenka => cline_renka::run(input, observer),
             Self::BowyerWatson => bowyer_watson::run(input, observer),
+            Self::SweepCircle => sweep_circle::run(input, observer),
+            Self::Fortune => fortune::run(input, observer),
             Self::DivideAndConquer => divide::run(input, observer),
         }
     }

@@ -364,7 +364,7 @@ pub enum Stage {
     ShortenEdges,
     /// Skinny triangles are opened.
     OpenTriangles,
-    /// Triangles that a rounded event order has put wrong are repaired.
+    /// Edges that an order of events has left wrong, rounded or of equal ones, are flipped.
     Repair,
 }
 

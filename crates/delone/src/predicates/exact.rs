@@ -137,6 +137,79 @@ pub(super) fn circumradius([a, b, c]: [Point; 3]) -> Option<Root> {
     is_circle.then(|| root_of_quotient(&product, &(&twice * &twice), unit))
 }
 
+/// Compares the heights above `p` of two parabolas with foci `a` and `b` and the horizontal directrix
+/// through `p`: |u|²/(2u.y) for the vector u from `p` to the focus, infinite for a focus beside `p`.
+pub(super) fn compare_parabolas(p: Point, a: Point, b: Point) -> Ordering {
+    let [u, v] = vectors([a, b], p);
+    (dot(&u, &u) * &v[1]).cmp(&(dot(&v, &v) * &u[1]))
+}
+
+/// The lowest point of a circle, on a lattice: `(reach − √square) / scale`, the scale positive.
+struct Bottom {
+    reach: BigInt,
+    square: BigInt,
+    scale: BigInt,
+}
+
+impl Bottom {
+    /// With u and v the vectors from a to b and c, and D = 2·(u × v), the center is a + N/D, where N.y is
+    /// u.x·v² − v.x·u², and the radius √(|u|²·|v|²·|u − v|²)/|D|.
+    fn new([a, b, c]: [Point; 3], unit: i32) -> Self {
+        let [a, b, c] = [a, b, c].map(|p| scaled(p, unit));
+        let [u, v, w] = [(&b, &a), (&c, &a), (&c, &b)].map(|(to, from)| minus(to, from));
+        let [uu, vv, ww] = [&u, &v, &w].map(|side| dot(side, side));
+        let doubled: BigInt = cross(&u, &v) * 2;
+        let reach = &u[0] * &vv - &v[0] * &uu + &a[1] * &doubled;
+        let is_reversed = doubled.sign() == Sign::Minus;
+        let [reach, scale] = [reach, doubled].map(|n| if is_reversed { -n } else { n });
+        Self {
+            reach,
+            square: uu * vv * ww,
+            scale,
+        }
+    }
+}
+
+/// Compares the ordinates of the lowest points of two circles.
+///
+/// Multiplied by both scales, their difference is A + √B − √C with integers A, B and C.
+pub(super) fn compare_bottoms(t: [Point; 3], u: [Point; 3]) -> Ordering {
+    let unit = common_unit(&t).min(common_unit(&u));
+    let [t, u] = [t, u].map(|corners| Bottom::new(corners, unit));
+    let rational = &t.reach * &u.scale - &u.reach * &t.scale;
+    let [plus, minus] = [(&u, &t), (&t, &u)].map(|(own, other)| &own.square * &other.scale.pow(2));
+    sign_with_roots(&rational, &plus, &minus)
+}
+
+/// Compares the ordinate of the lowest point of a circle with that of `p`.
+pub(super) fn compare_bottom(t: [Point; 3], p: Point) -> Ordering {
+    let unit = common_unit(&t).min(common_unit(&[p]));
+    let bottom = Bottom::new(t, unit);
+    let [_, y] = scaled(p, unit);
+    let above: BigInt = bottom.reach - y * bottom.scale;
+    sign_with_roots(&above, &BigInt::ZERO, &bottom.square)
+}
+
+/// Finds the sign of a + √b − √c.
+///
+/// Where a and √b − √c disagree in sign, that of a² − (√b − √c)² = (a² − b − c) + √(4bc) decides.
+fn sign_with_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Ordering {
+    let (rational, roots) = (sign(a), b.cmp(c));
+    if rational != roots.reverse() {
+        return rational.then(roots);
+    }
+    let difference: BigInt = a.pow(2) - b - c;
+    let product: BigInt = b * c * 4;
+    let larger = match difference.sign() {
+        Sign::Minus => product.cmp(&difference.pow(2)),
+        Sign::NoSign | Sign::Plus => sign(&(difference + product)),
+    };
+    match rational {
+        Ordering::Less => larger.reverse(),
+        _ => larger,
+    }
+}
+
 fn sign(value: &BigInt) -> Ordering {
     match value.sign() {
         Sign::Minus => Ordering::Less,

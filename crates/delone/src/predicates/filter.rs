@@ -62,6 +62,11 @@ const DISTANCE_BOUND: f64 = 4.5e-16;
 /// one in that of the lengths, 5u = 5.551e-16, and 20u² for what follows.
 const COMPARE_POWERS_BOUND: f64 = 5.6e-16;
 
+/// Bounds the error of the difference of two heights, relative to their sum: each is the product of a
+/// squared length (four roundings) and a difference (one), hence six roundings, 6u = 6.661e-16; one more,
+/// and terms of order u², for what follows.
+const PARABOLA_BOUND: f64 = 8e-16;
+
 /// 2⁻⁹⁶⁰: determinants of two vectors below this are not trusted.
 const FLOOR: f64 = f64::from_bits((1023 - 960) << 52);
 
@@ -173,6 +178,23 @@ pub(super) fn compare_powers(p: Point, a: Weighted, b: Weighted) -> Option<Order
     let rise = b.weight - a.weight;
     let bound = COMPARE_POWERS_BOUND * (al + bl + rise.abs()) + FLOOR;
     certain(al - bl + rise, bound)
+}
+
+/// Compares the heights above `p` of the parabolas with foci `a` and `b` and the horizontal directrix
+/// through `p`, which lies not above them.
+///
+/// Underflow: with squared lengths above 2⁻⁴⁰⁰ what squares lose does not count, and the two last
+/// products lose less than what FLOOR leaves.
+#[inline(always)]
+pub(super) fn compare_parabolas(p: Point, a: Point, b: Point) -> Option<Ordering> {
+    let [al, bl] = [a, b].map(|focus| squared_length([p, focus]));
+    let [a_height, b_height] = [al * (b.y - p.y), bl * (a.y - p.y)];
+    if al > LIFT_FLOOR && bl > LIFT_FLOOR {
+        let bound = PARABOLA_BOUND * (a_height + b_height) + FLOOR;
+        certain(a_height - b_height, bound)
+    } else {
+        None
+    }
 }
 
 /// Finds the sign of the dot product of `a − p` and `b − p`.

@@ -22,6 +22,7 @@ use crate::Point;
 use std::cmp::Ordering;
 
 mod bisector;
+mod bottom;
 mod center;
 mod crossing;
 mod double;
@@ -36,6 +37,7 @@ mod quotient;
 mod radius;
 pub mod stage;
 
+pub(crate) use bottom::Bottom;
 pub(crate) use double::Double;
 pub(crate) use filter::{
     IN_CIRCLE_BOUND, ORIENT2D_BOUND, compare_squares, in_circle_relative, squared_length,
@@ -258,6 +260,51 @@ pub fn in_diametral_circle(a: Point, b: Point, p: Point) -> CircleSide {
         Some(sign) => CircleSide::from_sign(sign.reverse()),
         None => in_diametral_circle_exact(a, b, p),
     }
+}
+
+/// Compares the heights above `p` of two parabolas, with foci `a` and `b` and the horizontal line through `p`
+/// as directrix: where a circle touches that line in `p` and goes through the focus, its center is on the
+/// parabola.
+///
+/// Neither focus may lie below `p`, or in `p`; beside it, the parabola is infinitely high.
+///
+/// Laws, for all such points: a total preorder of the foci for each `p`, reversed when `a` and `b` are
+/// exchanged; for foci of the same height, above `p`, that of [`compare_distances`]; where it is equal, and the foci
+/// differ, `p` is the lowest point of the circle through the three.
+///
+/// ```
+/// use delone::predicates::compare_parabolas;
+/// let [p, a, b] = [(0.0, -5.0), (3.0, 4.0), (0.0, 5.0)].map(Into::into);
+/// assert!(compare_parabolas(p, a, b).is_eq()); // the circle about the origin
+/// ```
+#[inline]
+pub fn compare_parabolas(p: Point, a: Point, b: Point) -> Ordering {
+    filter::compare_parabolas(p, a, b).unwrap_or_else(|| exact::compare_parabolas(p, a, b))
+}
+
+/// Compares the ordinates of the lowest points of two circles, each through three points that are not
+/// collinear.
+///
+/// Laws, for all such points: a total preorder of the circles, reversed when the two are exchanged; symmetric
+/// in the points of each; the same for any three points on one circle; agrees with
+/// [`compare_bottom`] where one of them goes through its lowest point.
+///
+/// ```
+/// use delone::predicates::compare_bottoms;
+/// let t = [(5.0, 0.0), (3.0, 4.0), (-4.0, 3.0)].map(Into::into);
+/// let u = [(2.0, -5.0), (4.0, -3.0), (2.0, -1.0)].map(Into::into);
+/// assert!(compare_bottoms(t, u).is_eq()); // both touch the line y = −5
+/// ```
+pub fn compare_bottoms(t: [Point; 3], u: [Point; 3]) -> Ordering {
+    Bottom::new(t).compare(&Bottom::new(u))
+}
+
+/// Compares the ordinate of the lowest point of a circle, through three points that are not collinear, with
+/// that of `p`.
+///
+/// Laws, for all such points: symmetric in the three; unless `Less`, none of them lies below `p`.
+pub fn compare_bottom(t: [Point; 3], p: Point) -> Ordering {
+    Bottom::new(t).compare_to(p)
 }
 
 /// Tells whether the segments `ab` and `cd` cross properly: in one point that is an end of neither.

@@ -107,7 +107,7 @@ fn filtered_circumradius([a, b, c]: [Point; 3]) -> Option<f64> {
 /// 2¹⁰⁰, hence multiples of 2⁻¹⁵². Squared sides are at least 2⁻³⁰⁴, their product is 2⁻⁹¹² … 2⁶⁰⁶, with
 /// a low part above 2⁻¹⁰²⁰; squares of the cross product are 2⁻⁶⁰⁸ … 2⁴⁰⁶. A quotient that overflows
 /// leaves no number that [`certain`] would take.
-fn is_tame(points: &[Point]) -> bool {
+pub(super) fn is_tame(points: &[Point]) -> bool {
     let is_tame = |c: f64| c == 0.0 || (power_of_two(-100)..=power_of_two(100)).contains(&c.abs());
     points.iter().all(|p| is_tame(p.x) && is_tame(p.y))
 }

@@ -4,7 +4,8 @@
 
 use super::power::segment_sign;
 use super::{
-    CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation, radius,
+    Bottom, CircleSide, Orientation, Weighted, crossing, exact, filter, integer, perturbation,
+    radius,
 };
 use crate::Point;
 use std::cmp::Ordering;
@@ -125,6 +126,26 @@ pub fn length_up(s: [Point; 2]) -> (f64, Stage) {
 /// Returns the radius of the circle through three points, rounded up, and which stage found it.
 pub fn circumradius_up(a: Point, b: Point, c: Point) -> (f64, Stage) {
     radius::circumradius([a, b, c])
+}
+
+/// Compares the heights of two parabolas above `p`, and tells which stage found the order; there are no
+/// fixed-width integers for this, nor for the next two.
+pub fn compare_parabolas(p: Point, a: Point, b: Point) -> (Ordering, Stage) {
+    first(
+        filter::compare_parabolas(p, a, b),
+        || None,
+        || exact::compare_parabolas(p, a, b),
+    )
+}
+
+/// Compares the lowest points of two circles, and tells which stage found the order.
+pub fn compare_bottoms(t: [Point; 3], u: [Point; 3]) -> (Ordering, Stage) {
+    Bottom::new(t).compare_staged(&Bottom::new(u))
+}
+
+/// Compares the ordinates of the lowest point of a circle and of `p`, and tells which stage found the order.
+pub fn compare_bottom(t: [Point; 3], p: Point) -> (Ordering, Stage) {
+    Bottom::new(t).compare_to_staged(p)
 }
 
 /// Takes the answer of the first stage that has one.

@@ -3,3 +3,4 @@
 mod chapter;
 mod scene;
 mod suite;
+mod sweeps;

@@ -2,6 +2,7 @@
 //!
 //! `DELONE_CASES=n` makes n cases of each family (default 20,000); each case asks every predicate.
 
+mod bottom;
 mod crossing;
 mod families;
 mod fixtures;

@@ -220,3 +220,41 @@ impl Lifted {
         })
     }
 }
+
+/// Compares |a − p|²/(a.y − p.y) with the same of b, which are twice the heights above `p`; both denominators
+/// must be positive.
+pub fn compare_parabolas([p, a, b]: [Point; 3]) -> Ordering {
+    let height = |focus: Point| {
+        let arm = squared_length_of([p, focus]);
+        let [p, focus] = [p, focus].map(Exact::new);
+        arm / (focus.y - p.y)
+    };
+    height(a).cmp(&height(b))
+}
+
+/// A circle: the ordinate of its center, and its squared radius.
+pub fn circle(corners: [Point; 3]) -> Option<[Relaxed; 2]> {
+    let [_, y] = Lifted::center(corners.map(|p| Weighted::new(p, 0.0)))?;
+    Some([y, squared_circumradius(corners)?])
+}
+
+/// Compares y − √r with y′ − √r′, where r is a squared radius.
+pub fn compare_bottoms([t, u]: [&[Relaxed; 2]; 2]) -> Ordering {
+    let [[y, square], [other, other_square]] = [t, u];
+    let offset = y - other;
+    if offset < Relaxed::ZERO {
+        return compare_bottoms([u, t]).reverse();
+    }
+    // With d = y − y′ ≥ 0: compares (d + √r′)² = d² + r′ + 2d√r′ with r.
+    let rational = &offset * &offset + other_square - square;
+    let doubled = &offset + &offset;
+    if rational >= Relaxed::ZERO {
+        return sign(&(rational + doubled * other_square));
+    }
+    (&doubled * &doubled * other_square).cmp(&(&rational * &rational))
+}
+
+/// A point, as a circle without extent.
+pub fn point_circle(p: Point) -> [Relaxed; 2] {
+    [Exact::new(p).y, Relaxed::ZERO]
+}
