@@ -103,6 +103,7 @@ mod svg;
 mod table;
 mod target;
 mod topology;
+mod trace;
 mod triangle_files;
 mod unfinished;
 mod unmet;
@@ -126,6 +127,7 @@ pub use relief::{Relief, ReliefOptions, write_relief};
 pub use report::{ReportOptions, write_report};
 pub use source::Source;
 pub use target::Target;
+pub use trace::{LogFormat, Recording, read_log, write_log};
 pub use unfinished::discard_unfinished_files;
 pub use unmet::Explainer;
 pub use write::{

@@ -4,7 +4,11 @@ use std::cmp::Ordering;
 
 /// A point in the plane; `y` points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(from = "[f64; 2]", into = "[f64; 2]")
+)]
 #[repr(C)]
 pub struct Point {
     /// Abscissa.

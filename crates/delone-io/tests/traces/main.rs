@@ -1,0 +1,4 @@
+//! Runs of algorithms, and their files.
+
+mod files;
+mod steps;
