@@ -7,6 +7,7 @@
 //! - [`Algorithm`]: their list; [`About`]: source, idea, cost, guarantees, pseudocode.
 //! - [`Input`]: points, or a domain, or a triangulation to begin with, and what they may be told.
 //! - [`Output`]: triangles, and their hash.
+//! - [`EdgeTables`]: triangles and edges as a thesis numbers and prints them.
 //!
 //! ```
 //! use delone::classic::{Algorithm, Input};
@@ -27,7 +28,9 @@ mod incremental;
 mod input;
 mod joining;
 mod output;
+mod thesis;
 
+pub use crate::tables::EdgeTables;
 pub use about::{About, Takes};
 use board::Board;
 pub use input::Input;
@@ -40,13 +43,15 @@ use crate::{Error, Observer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Algorithm {
+    /// The thesis' refinement: even pieces, bisected edges, opened triangles.
+    Thesis,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Thesis, Self::Incremental];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -57,6 +62,7 @@ impl Algorithm {
     /// Describes it.
     pub fn about(self) -> &'static About {
         match self {
+            Self::Thesis => &thesis::ABOUT,
             Self::Incremental => &incremental::ABOUT,
         }
     }
@@ -77,6 +83,7 @@ impl Algorithm {
     pub fn observe(self, input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
+            Self::Thesis => thesis::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
         }
     }
