@@ -240,6 +240,14 @@ pub enum Error {
         /// Number of points.
         points: usize,
     },
+    /// A triangle of a triangulation to begin with cannot be part of one.
+    #[error("triangle {triangle} cannot be part of a triangulation to begin with: {why}")]
+    BadStart {
+        /// Index of the triangle.
+        triangle: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// Two triangles lie on the same side of an edge, or one has a corner twice.
     #[error(
         "triangles {} and {} lie on the same side of the edge from point {} to point {}; leave one out",

@@ -5,6 +5,7 @@
 //! disappear for whoever watches.
 
 use super::{Input, Output, Sites};
+use crate::delaunay::check_number;
 use crate::pace::Pace;
 use crate::predicates::{self, Orientation, in_circle, in_circle_perturbed};
 use crate::{
@@ -18,6 +19,9 @@ pub(super) struct Board<'r, O> {
     mesh: Mesh,
     /// Constrained edges, smaller end first.
     locked: BTreeSet<[VertexId; 2]>,
+    /// Which faces lie outside of the domain, as far as it goes: they only close the sphere, and nobody is
+    /// told of them.
+    outside: Vec<bool>,
     duplicates: Vec<Duplicate>,
     /// The line of pseudocode that runs.
     line: u16,
@@ -34,11 +38,34 @@ impl<'r, O: Observer> Board<'r, O> {
             points: sites.points,
             mesh: Mesh::default(),
             locked: BTreeSet::new(),
+            outside: Vec::new(),
             duplicates: sites.duplicates,
             line: 0,
             observer,
         };
         Ok((board, sites.order))
+    }
+
+    /// Begins with what another board has come to, and tells of it in steps of line 0.
+    pub fn lay_out(from: Board<()>, input: &Input<'r>, observer: &'r mut O) -> Self {
+        let mut board = Self {
+            pace: Pace::new(input.watch, Phase::Triangulate, from.points.len() as u64),
+            points: from.points,
+            mesh: from.mesh,
+            locked: from.locked,
+            outside: from.outside,
+            duplicates: from.duplicates,
+            line: 0,
+            observer,
+        };
+        board.tell_all();
+        board
+    }
+
+    /// Takes a whole mesh, with its constrained edges, smaller end first, and the faces outside of its
+    /// domain; nobody is told.
+    pub fn take(&mut self, mesh: Mesh, locked: BTreeSet<[VertexId; 2]>, outside: Vec<bool>) {
+        (self.mesh, self.locked, self.outside) = (mesh, locked, outside);
     }
 
     /// States which line of pseudocode runs from here on.
@@ -51,6 +78,12 @@ impl<'r, O: Observer> Board<'r, O> {
     #[inline]
     pub fn tell(&mut self, event: impl FnOnce() -> Event) {
         self.observer.tell(self.line, event);
+    }
+
+    /// Tells whether anybody listens.
+    #[inline]
+    pub fn is_watched(&self) -> bool {
+        self.observer.is_watching()
     }
 
     /// Counts one step of the main loop.
@@ -71,6 +104,31 @@ impl<'r, O: Observer> Board<'r, O> {
     /// Returns where all vertices lie.
     pub fn points(&self) -> &[Point] {
         &self.points
+    }
+
+    /// Adds a vertex that nothing hangs on yet.
+    ///
+    /// # Errors
+    /// [`Error::TooManyPoints`].
+    pub fn create_vertex(&mut self, at: Point) -> Result<VertexId, Error> {
+        check_number(self.points.len() + 1)?;
+        let vertex = VertexId::new(self.points.len());
+        self.points.push(at);
+        self.tell(|| Event::VertexCreated { vertex, at });
+        Ok(vertex)
+    }
+
+    /// Deletes the last vertex, which nothing hangs on any more.
+    pub fn delete_last_vertex(&mut self) {
+        let at = self.points.pop().expect("bug: there is no vertex");
+        let vertex = VertexId::new(self.points.len());
+        self.tell(|| Event::VertexDeleted { vertex, at });
+    }
+
+    /// Returns the vertex that stands for a point of the input: itself, or one that equals it.
+    pub fn representative(&self, v: VertexId) -> VertexId {
+        let found = self.duplicates.binary_search_by_key(&v, |d| d.dropped);
+        found.map_or(v, |i| self.duplicates[i].kept)
     }
 
     /// Returns where a vertex lies.
@@ -119,11 +177,42 @@ impl<'r, O: Observer> Board<'r, O> {
         let edge = self.ends(h);
         self.tell(|| Event::EdgeExamined { edge });
         let g = self.mesh.twin(h);
-        if self.is_locked(h) || [h, g].iter().any(|s| self.mesh.is_ghost(s.triangle())) {
+        if self.is_locked(h) || [h, g].iter().any(|s| !self.is_inside(s.triangle())) {
             return true;
         }
         let (triangle, beyond) = (self.mesh.corners(h.triangle()), self.mesh.apex(g));
         !self.in_circle(triangle, beyond)
+    }
+
+    /// Tells whether a face is a triangle of the domain: no ghost, and not carved away.
+    pub fn is_inside(&self, t: TriangleId) -> bool {
+        !self.mesh.is_ghost(t) && !self.is_carved(t)
+    }
+
+    /// Tells whether a face is a triangle outside of the domain.
+    pub fn is_carved(&self, t: TriangleId) -> bool {
+        self.outside.get(t.index()).is_some_and(|&carved| carved)
+    }
+
+    /// Tells whether the edge of `h` is there for who watches: all are that have no end at infinity, but
+    /// for those amid carved faces.
+    pub fn is_visible(&self, h: HalfEdgeId) -> bool {
+        let sides = [h, self.mesh.twin(h)].map(HalfEdgeId::triangle);
+        is_finite(&self.ends(h))
+            && (!sides.iter().any(|&t| self.is_carved(t))
+                || sides.iter().any(|&t| self.is_inside(t))
+                || self.is_locked(h))
+    }
+
+    /// Lists the edges that are there for who watches, each as one of its half-edges.
+    pub fn visible_edges(&self) -> Vec<HalfEdgeId> {
+        let edges = self.mesh.half_edges().filter(|&h| h < self.mesh.twin(h));
+        edges.filter(|&h| self.is_visible(h)).collect()
+    }
+
+    /// Returns the constrained edges, smaller end first.
+    pub fn locked(&self) -> &BTreeSet<[VertexId; 2]> {
+        &self.locked
     }
 
     /// Tells whether the edge of `h` is a constraint.
@@ -148,9 +237,10 @@ impl<'r, O: Observer> Board<'r, O> {
 
     /// [`Mesh::split_face`]: joins a vertex to the corners of a face; of a ghost it makes a triangle.
     pub fn split_face(&mut self, t: TriangleId, v: VertexId) -> [HalfEdgeId; 3] {
-        let old = self.mesh.corners(t);
+        let old = self.told_corners(t);
         let link = self.mesh.split_face(t, v);
-        let new = link.map(|h| self.mesh.corners(h.triangle()));
+        self.inherit(t, &link);
+        let new = link.map(|h| self.told_corners(h.triangle()));
         self.tell_change(&[old], None, &old.map(|w| [v, w]), &new);
         link
     }
@@ -160,15 +250,20 @@ impl<'r, O: Observer> Board<'r, O> {
     pub fn split_edge(&mut self, h: HalfEdgeId, v: VertexId) -> [HalfEdgeId; 4] {
         let [a, b] = self.ends(h);
         let g = self.mesh.twin(h);
-        let old = [h, g].map(|s| self.mesh.corners(s.triangle()));
-        let around = [a, b, self.mesh.apex(h), self.mesh.apex(g)];
+        let old = [h, g].map(|s| self.told_corners(s.triangle()));
+        let [c, d] = [h, g].map(|s| self.told_corners(s.triangle())[s.slot()]);
+        let gone = self.is_visible(h).then_some([a, b]);
+        let around: &[_] = if gone.is_some() { &[a, b, c, d] } else { &[] };
+        let edges: Vec<_> = around.iter().map(|&w| [v, w]).collect();
         let was_locked = self.locked.remove(&ascending([a, b]));
         if was_locked {
             self.tell(|| Event::EdgeUnlocked { edge: [a, b] });
         }
         let link = self.mesh.split_edge(h, v);
-        let new = link.map(|h| self.mesh.corners(h.triangle()));
-        self.tell_change(&old, Some([a, b]), &around.map(|w| [v, w]), &new);
+        self.inherit(h.triangle(), &[link[0], link[3]]);
+        self.inherit(g.triangle(), &[link[1], link[2]]);
+        let new = link.map(|h| self.told_corners(h.triangle()));
+        self.tell_change(&old, gone, &edges, &new);
         for end in [a, b].into_iter().filter(|_| was_locked) {
             let edge = ascending([end, v]);
             self.locked.insert(edge);
@@ -185,6 +280,26 @@ impl<'r, O: Observer> Board<'r, O> {
         link
     }
 
+    /// [`Mesh::contract`]: removes the hull vertex from which `spoke` runs to infinity. Its other neighbours,
+    /// which must form a convex chain, become part of the hull.
+    ///
+    /// *Ids invalidated*: all but those of vertices.
+    pub fn uncover(&mut self, spoke: HalfEdgeId) {
+        debug_assert!(self.outside.is_empty() && self.ends(spoke)[1].is_infinite());
+        if self.observer.is_watching() {
+            let star: Vec<_> = self.mesh.star(spoke).collect();
+            let old: Vec<_> = star
+                .iter()
+                .map(|h| self.mesh.corners(h.triangle()))
+                .collect();
+            self.tell_change(&old, None, &[], &[]);
+            for h in star {
+                self.tell_change(&[], Some(self.ends(h)), &[], &[]);
+            }
+        }
+        let _ = self.mesh.contract(spoke);
+    }
+
     /// [`Mesh::flip`]: the other diagonal takes the place of an edge.
     pub fn flip(&mut self, h: HalfEdgeId) {
         let g = self.mesh.twin(h);
@@ -198,6 +313,25 @@ impl<'r, O: Observer> Board<'r, O> {
         }
         let new = [h, g].map(|s| self.mesh.corners(s.triangle()));
         self.tell_change(&old, Some(from), &[to], &new);
+    }
+
+    /// Returns the corners of a face as far as they are told: those of a carved one are all at infinity.
+    fn told_corners(&self, t: TriangleId) -> [VertexId; 3] {
+        if self.is_carved(t) {
+            return [VertexId::INFINITE; 3];
+        }
+        self.mesh.corners(t)
+    }
+
+    /// Lets the faces of some half-edges, new ones among them, be carved if `t` is.
+    fn inherit(&mut self, t: TriangleId, parts: &[HalfEdgeId]) {
+        if self.outside.is_empty() {
+            return;
+        }
+        self.outside.resize(self.mesh.num_faces(), false);
+        for part in parts {
+            self.outside[part.triangle().index()] = self.outside[t.index()];
+        }
     }
 
     /// Tells of faces and edges that go and come, as far as they are finite.
@@ -225,11 +359,37 @@ impl<'r, O: Observer> Board<'r, O> {
         }
     }
 
+    /// Carves faces out of the domain: they stay to close the sphere, but are part of nothing any more, nor
+    /// are edges between them, unless they are constraints.
+    pub fn carve(&mut self, outside: Vec<bool>) {
+        debug_assert!(self.outside.is_empty(), "bug: carved before");
+        let edges = match self.observer.is_watching() {
+            true => self.visible_edges(),
+            false => Vec::new(),
+        };
+        self.outside = outside;
+        for t in self
+            .mesh
+            .triangles()
+            .filter(|&t| self.is_carved(t))
+            .collect::<Vec<_>>()
+        {
+            let triangle = self.mesh.corners(t);
+            self.tell(|| Event::TriangleDeleted { triangle });
+        }
+        for h in edges {
+            if !self.is_visible(h) {
+                let edge = self.ends(h);
+                self.tell(|| Event::EdgeDeleted { edge });
+            }
+        }
+    }
+
     /// Hands out the triangles.
     pub fn finish(self) -> Output {
-        let triangles = self.mesh.faces().iter().copied().filter(is_finite);
+        let inside = self.mesh.triangles().filter(|&t| !self.is_carved(t));
         Output {
-            triangles: triangles.collect(),
+            triangles: inside.map(|t| self.mesh.corners(t)).collect(),
             points: self.points,
             constrained: self.locked.into_iter().collect(),
             duplicates: self.duplicates,

@@ -26,8 +26,12 @@ mod about;
 mod board;
 mod incremental;
 mod input;
+mod inside;
 mod joining;
 mod output;
+mod segments;
+mod start;
+mod sweep;
 mod thesis;
 
 pub use crate::tables::EdgeTables;
@@ -43,6 +47,8 @@ use crate::{Error, Observer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Algorithm {
+    /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
+    Sweep,
     /// The thesis' refinement: even pieces, bisected edges, opened triangles.
     Thesis,
     /// The lecture's incremental construction, points in the given order.
@@ -51,7 +57,7 @@ pub enum Algorithm {
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Thesis, Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Sweep, Self::Thesis, Self::Incremental];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -62,6 +68,7 @@ impl Algorithm {
     /// Describes it.
     pub fn about(self) -> &'static About {
         match self {
+            Self::Sweep => &sweep::ABOUT,
             Self::Thesis => &thesis::ABOUT,
             Self::Incremental => &incremental::ABOUT,
         }
@@ -83,6 +90,7 @@ impl Algorithm {
     pub fn observe(self, input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
+            Self::Sweep => sweep::run(input, observer),
             Self::Thesis => thesis::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
         }
