@@ -24,6 +24,7 @@
 
 mod about;
 mod board;
+mod edge_flip;
 mod incremental;
 mod input;
 mod inside;
@@ -49,6 +50,8 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
     Sweep,
+    /// The thesis' edge flips, from any triangulation.
+    EdgeFlip,
     /// The thesis' refinement: even pieces, bisected edges, opened triangles.
     Thesis,
     /// The lecture's incremental construction, points in the given order.
@@ -57,7 +60,7 @@ pub enum Algorithm {
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Sweep, Self::Thesis, Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Sweep, Self::EdgeFlip, Self::Thesis, Self::Incremental];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -69,6 +72,7 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Sweep => &sweep::ABOUT,
+            Self::EdgeFlip => &edge_flip::ABOUT,
             Self::Thesis => &thesis::ABOUT,
             Self::Incremental => &incremental::ABOUT,
         }
@@ -91,6 +95,7 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Sweep => sweep::run(input, observer),
+            Self::EdgeFlip => edge_flip::run(input, observer),
             Self::Thesis => thesis::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
         }

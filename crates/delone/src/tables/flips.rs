@@ -1,6 +1,6 @@
 //! `edge_flip`: marked edges are examined, the lowest number first, until none is marked.
 
-use super::{Side, Tables, Teller, ascending};
+use super::{Tables, Teller, ascending};
 use crate::observe::{Item, Queue};
 use crate::predicates::{in_circle, in_circle_perturbed};
 use crate::{Event, Observer};
@@ -107,28 +107,28 @@ pub(crate) fn examine<O: Observer>(
 
 /// Tells whether an edge is no constraint, and the corner beyond lies in the circle of its triangle.
 fn must_flip<O: Observer>(tables: &Tables, row: u32, teller: &mut Teller<O>) -> bool {
-    if tables.row(row).is_constraint {
-        return false;
-    }
-    let Some([side, beyond]) = tables.both_sides(row) else {
+    let edge = tables.row(row);
+    let Some(second) = edge.second.filter(|_| !edge.is_constraint) else {
         return false;
     };
-    let corners = |side: Side| {
-        [
-            tables.ends(side)[0],
-            tables.ends(side)[1],
-            tables.apex(side),
-        ]
-    };
-    let (triangle, d) = (corners(side), tables.apex(beyond));
-    let [a, b, c] = triangle.map(|v| tables.point(v));
-    let p = tables.point(d);
-    let is_inside = in_circle_perturbed(a, b, c, p);
-    teller.tell(|names| Event::CircleTested {
-        triangle: names.of(triangle),
-        point: names.of([d])[0],
-        answer: in_circle(a, b, c, p),
-        is_inside,
+    let [a, b] = tables.ends(edge.first);
+    let corners = [a, b, tables.apex(edge.first), tables.apex(second)];
+    let [a, b, c, d] = corners.map(|v| tables.point(v));
+    let is_inside = in_circle_perturbed(a, b, c, d);
+    teller.tell(|names| {
+        let answer = in_circle(a, b, c, d);
+        let [a, b, c, point] = names.of(corners);
+        // The triangle that runs from the larger end.
+        let (triangle, point) = match edge.ends[0] == corners[0] {
+            true => ([a, b, c], point),
+            false => ([b, a, point], c),
+        };
+        Event::CircleTested {
+            triangle,
+            point,
+            answer,
+            is_inside,
+        }
     });
     is_inside
 }

@@ -24,7 +24,7 @@ mod printed;
 mod shape;
 mod telling;
 
-pub(crate) use flips::{FlipLines, Marks, edge_flip};
+pub(crate) use flips::{FlipLines, Marks, edge_flip, examine};
 pub(crate) use numbering::tables_of;
 pub use printed::EdgeTables;
 pub(crate) use shape::{Shape, area, circumcenter, length, middle};

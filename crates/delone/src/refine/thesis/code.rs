@@ -15,7 +15,7 @@ pub(crate) const CODE: &[&str] = &[
     "  if all angles of ABC are below 90°: bisect its longest edge",
     "  else: M := the circumcenter of ABC, PQR := the triangle that contains M",
     "    if a segment hides M from the corner opposite the longest edge: bisect that edge",
-    "    else if an angle of PQR is 90° or more, or above 90° − α opposite a segment: bisect its longest edge",
+    "    else if PQR has an angle of 90° or more (over 90° − α opposite a segment): bisect its longest edge",
     "    else: insert the circumcenter of PQR",
     "  edge_flip",
     "  if the area of the skinniest was at most 1/100 of what it was at first: give up",
@@ -46,7 +46,7 @@ pub(super) const ACUTE: u16 = 9;
 pub(super) const SIGHT: u16 = 10;
 /// A segment is in the way.
 pub(super) const HIDDEN: u16 = 11;
-/// The triangle there is bisected.
+/// The triangle there is wide, and bisected.
 pub(super) const WIDE: u16 = 12;
 /// Its circumcenter is inserted.
 pub(super) const INSERT: u16 = 13;
