@@ -248,6 +248,17 @@ pub enum Error {
         /// What is wrong with it.
         why: &'static str,
     },
+    /// Two triangles lie on the same side of an edge, or one has a corner twice.
+    #[error(
+        "triangles {} and {} lie on the same side of the edge from point {} to point {}; leave one out",
+        triangles[0], triangles[1], edge[0], edge[1]
+    )]
+    SameSide {
+        /// Indices of the triangles.
+        triangles: [usize; 2],
+        /// The ends of the edge.
+        edge: [VertexId; 2],
+    },
     /// A classical algorithm was given what it does not know.
     #[error(
         "the algorithm `{algorithm}` knows no {what}; leave that out, or take another algorithm"

@@ -121,6 +121,7 @@ mod quality;
 mod refine;
 pub mod regular;
 pub mod surface;
+mod tables;
 mod triangulation;
 pub mod voronoi;
 mod watch;

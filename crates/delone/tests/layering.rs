@@ -96,6 +96,17 @@ const ROOMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "tables",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "constrained",
+            "observe",
+            "error",
+        ],
+    ),
+    (
         "classic",
         &[
             "point",
@@ -109,6 +120,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "locate",
             "delaunay",
             "constrained",
+            "tables",
             "refine",
             "order",
             "error",
@@ -128,6 +140,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "observe",
             "delaunay",
             "constrained",
+            "tables",
             // Measures only: refinement reports what its mesh is like.
             "check",
             "error",

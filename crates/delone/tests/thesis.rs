@@ -2,8 +2,8 @@
 
 use delone::{
     Angle, Budget, ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Encroachment, Error,
-    Event, Locked, Observer, Origin, Outcome, Phase, Point, Pslg, Quality, Reason, RefinedMesh,
-    Refinement, Stage, Strategy, VertexId, Watch, hash_triangles,
+    Event, Locked, Log, Origin, Outcome, Phase, Point, Pslg, Quality, Reason, RefinedMesh,
+    Refinement, Scene, Stage, Strategy, VertexId, Watch, hash_triangles,
 };
 use delone_testkit::domains::Domain;
 use delone_testkit::fuzz::segments::case;
@@ -11,14 +11,34 @@ use delone_testkit::generate::Random;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Collects all events.
-#[derive(Default)]
-struct Log(Vec<Event>);
+/// All events of a run.
+fn observed(refinement: Refinement, pslg: Pslg) -> (RefinedMesh, Log) {
+    let mut log = Log::new("thesis", pslg.points.clone());
+    let refined = refinement.observe(pslg, &mut log);
+    (refined.expect("a mesh"), log)
+}
 
-impl Observer for Log {
-    fn observe(&mut self, event: Event) {
-        self.0.push(event);
+/// Plays a log forwards, which ends with the mesh, and backwards, which ends with the points.
+fn assert_played(log: &Log, mesh: &ConstrainedTriangulation) {
+    let mut scene = log.last_scene().expect("every step fits");
+    let t = mesh.triangulation();
+    assert_eq!(scene.hash(), t.hash());
+    assert_eq!(scene.vertices().count(), t.points().len());
+    assert!(scene.vertices().all(|(v, at)| t.point(v) == at));
+    let mut edges: Vec<_> = t.edges().chain(mesh.constrained_edges()).collect();
+    for [a, b] in &mut edges {
+        (*a, *b) = (*a.min(b), *b.max(a));
     }
+    edges.sort();
+    edges.dedup();
+    assert_eq!(scene.edges().collect::<Vec<_>>(), edges);
+    assert!(mesh.constrained_edges().all(|edge| scene.is_locked(edge)));
+    let locked = scene.edges().filter(|&edge| scene.is_locked(edge));
+    assert_eq!(locked.count(), mesh.constrained_edges().count());
+    for step in log.steps.iter().rev() {
+        scene.revert(step.event).expect("every step fits backwards");
+    }
+    assert!(scene == Scene::new(log.points.iter().copied()));
 }
 
 /// The domain of example 1.16.
@@ -97,9 +117,8 @@ fn assert_valid(t: &ConstrainedTriangulation) {
 
 #[test]
 fn the_thesis_own_domain_is_opened_twice() {
-    let mut log = Log::default();
-    let refined = thesis(quality(20.0, 3.0)).observe(thesis_domain(), &mut log);
-    let refined = refined.unwrap();
+    let (refined, log) = observed(thesis(quality(20.0, 3.0)), thesis_domain());
+    assert_played(&log, &refined.mesh);
     assert!((refined.statistics().min_angle - 26.565).abs() < 1e-3);
     let RefinedMesh { mesh, report, .. } = refined;
     assert_valid(&mesh);
@@ -112,19 +131,18 @@ fn the_thesis_own_domain_is_opened_twice() {
     assert_eq!((report.outcome, report.unmet.len()), (Outcome::Complete, 0));
     assert_eq!((report.on_segments, report.free), (2, 1));
 
-    let split = log.0.iter().filter_map(|event| match *event {
-        Event::EdgeSplit { edge, vertex, at } => {
-            Some((edge.map(VertexId::index), vertex.index(), at))
-        }
+    let events = || log.steps.iter().map(|step| step.event);
+    let split = events().filter_map(|event| match event {
+        Event::SegmentSplit { edge, vertex } => Some((edge.map(VertexId::index), vertex.index())),
         _ => None,
     });
-    let expected = [
-        ([4, 3], 9, edge_split),
-        ([1, 0], 10, first),
-        ([8, 0], 11, second),
-    ];
-    assert!(split.eq(expected));
-    let stages = log.0.iter().filter_map(|event| match *event {
+    assert!(split.eq([([4, 3], 9), ([1, 0], 10), ([8, 0], 11)]));
+    let created = events().filter_map(|event| match event {
+        Event::VertexCreated { vertex, at } => Some((vertex.index(), at)),
+        _ => None,
+    });
+    assert!(created.eq([(9, edge_split), (10, first), (11, second)]));
+    let stages = events().filter_map(|event| match event {
         Event::StageEnded { stage, min_angle } => {
             Some((stage, min_angle.map(|a| (1e3 * a.to_degrees()).round())))
         }
@@ -135,18 +153,14 @@ fn the_thesis_own_domain_is_opened_twice() {
         (Stage::ShortenEdges, Some(18435.0)),
         (Stage::OpenTriangles, Some(26565.0)),
     ]));
-    let opened = log
-        .0
-        .iter()
-        .filter(|event| matches!(event, Event::OpenedByBisection { .. }));
+    let opened = events().filter(|event| matches!(event, Event::CircumcenterRejected { .. }));
     assert_eq!(opened.count(), 2);
 }
 
 #[test]
 fn without_success_the_mesh_of_phase_1_is_the_result() {
-    let mut log = Log::default();
-    let refined = thesis(quality(40.0, 1.0)).observe(thesis_domain(), &mut log);
-    let refined = refined.unwrap();
+    let (refined, log) = observed(thesis(quality(40.0, 1.0)), thesis_domain());
+    assert_played(&log, &refined.mesh);
     let RefinedMesh { mesh, report, .. } = &refined;
     assert_valid(mesh);
     assert_eq!(report.outcome, Outcome::FellBack);
@@ -164,11 +178,23 @@ fn without_success_the_mesh_of_phase_1_is_the_result() {
     assert_eq!(refined.statistics(), phase_1.statistics());
     assert!(report.num_unexcused() > 0);
     let first = VertexId::new(mesh.triangulation().points().len());
-    assert_eq!(log.0.last(), Some(&Event::TakenBack { from: first }));
-    assert!(log.0.iter().any(|event| matches!(
-        *event,
-        Event::EdgeSplit { vertex, .. } | Event::TriangleSplit { vertex, .. } if vertex >= first
-    )));
+    let back = Event::TakenBack { from: first };
+    let at = log.steps.iter().position(|step| step.event == back);
+    let (before, after) = log.steps.split_at(at.expect("taken back"));
+    let deleted: Vec<_> = after
+        .iter()
+        .filter_map(|step| match step.event {
+            Event::VertexDeleted { vertex, .. } => Some(vertex),
+            _ => None,
+        })
+        .collect();
+    let created = before.iter().filter_map(|step| match step.event {
+        Event::VertexCreated { vertex, .. } => Some(vertex),
+        _ => None,
+    });
+    let created: Vec<_> = created.filter(|&v| v >= first).collect();
+    assert!(!created.is_empty() && created.iter().rev().eq(&deleted));
+    assert!(after.iter().all(|step| step.line == after[0].line));
 }
 
 /// A wedge of 10°: the triangle in its corner has two segments as its longer edges.
@@ -353,10 +379,10 @@ fn random_drawings_are_refined_or_refused() {
             .domain(domain.rule)
             .crossings(domain.crossings)
             .budget(budget);
-        let result = refinement.threads(1).mesh(domain.pslg.clone());
-        let result = result.expect("what can be triangulated");
+        let (result, log) = observed(refinement.threads(1), domain.pslg.clone());
         let RefinedMesh { mesh, report, .. } = &result;
         assert_valid(mesh);
+        assert_played(&log, mesh);
         let points = mesh.triangulation().points();
         assert!(points.len() <= before.triangulation().points().len() + 400);
         let again = refinement.threads(2).mesh(domain.pslg.clone()).unwrap();

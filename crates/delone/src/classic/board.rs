@@ -100,6 +100,17 @@ impl<'r, O: Observer> Board<'r, O> {
         self.pace.step()
     }
 
+    /// Returns who is told.
+    pub fn observer(&mut self) -> &mut O {
+        self.observer
+    }
+
+    /// Visits the triangles of the domain.
+    pub fn triangles(&self) -> impl Iterator<Item = [VertexId; 3]> + '_ {
+        let inside = self.mesh.triangles().filter(|&t| !self.is_carved(t));
+        inside.map(|t| self.mesh.corners(t))
+    }
+
     /// Returns the mesh.
     #[inline]
     pub fn mesh(&self) -> &Mesh {
@@ -452,9 +463,8 @@ impl<'r, O: Observer> Board<'r, O> {
 
     /// Hands out the triangles.
     pub fn finish(self) -> Output {
-        let inside = self.mesh.triangles().filter(|&t| !self.is_carved(t));
         Output {
-            triangles: inside.map(|t| self.mesh.corners(t)).collect(),
+            triangles: self.triangles().collect(),
             points: self.points,
             constrained: self.locked.into_iter().collect(),
             duplicates: self.duplicates,

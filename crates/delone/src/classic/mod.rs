@@ -7,6 +7,7 @@
 //! - [`Algorithm`]: their list; [`About`]: source, idea, cost, guarantees, pseudocode.
 //! - [`Input`]: points, or a domain, or a triangulation to begin with, and what they may be told.
 //! - [`Output`]: triangles, and their hash.
+//! - [`EdgeTables`]: triangles and edges as a thesis numbers and prints them.
 //!
 //! ```
 //! use delone::classic::{Algorithm, Input};
@@ -28,6 +29,7 @@ mod bowyer_watson;
 mod cline_renka;
 mod convex_hull;
 mod divide;
+mod edge_flip;
 mod fortune;
 mod incremental;
 mod input;
@@ -39,7 +41,9 @@ mod start;
 mod sweep;
 mod sweep_circle;
 mod swept;
+mod thesis;
 
+pub use crate::tables::EdgeTables;
 pub use about::{About, Takes};
 use board::Board;
 pub use input::Input;
@@ -54,6 +58,10 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
     Sweep,
+    /// The thesis' flips: the marked edge of lowest number first.
+    EdgeFlip,
+    /// The thesis' refinement: longest edges, then skinniest triangles.
+    Thesis,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
     /// The chapter's convex hull.
@@ -74,6 +82,8 @@ impl Algorithm {
     /// All of them, by source.
     pub const ALL: &[Self] = &[
         Self::Sweep,
+        Self::EdgeFlip,
+        Self::Thesis,
         Self::Incremental,
         Self::ConvexHull,
         Self::ClineRenka,
@@ -93,6 +103,8 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Sweep => &sweep::ABOUT,
+            Self::EdgeFlip => &edge_flip::ABOUT,
+            Self::Thesis => &thesis::ABOUT,
             Self::Incremental => &incremental::ABOUT,
             Self::ConvexHull => &convex_hull::ABOUT,
             Self::ClineRenka => &cline_renka::ABOUT,
@@ -124,6 +136,8 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Sweep => sweep::run(input, observer),
+            Self::EdgeFlip => edge_flip::run(input, observer),
+            Self::Thesis => thesis::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
             Self::ConvexHull => convex_hull::run(input, observer),
             Self::ClineRenka => cline_renka::run(input, observer),

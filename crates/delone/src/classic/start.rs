@@ -22,7 +22,6 @@ impl<'r, O: Observer> Board<'r, O> {
     /// # Errors
     /// [`Error::BadTriangle`], [`Error::BadStart`] name the triangle; [`Error::BadSegment`],
     /// [`Error::Crossing`] what is wrong with segments; and what every builder refuses.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the algorithms that flip"))]
     pub fn from_triangles(input: &Input<'r>, observer: &'r mut O) -> Result<Self, Error> {
         let mut nobody = ();
         let (mut board, _) = Board::new(input, &mut nobody)?;
@@ -250,7 +249,7 @@ mod tests {
     #[test]
     fn a_sweep_is_laid_out_with_its_segments() {
         let mut input = input(&NOTCHED, &[]);
-        input.pslg.add_ring([0usize, 1, 2, 3, 4]);
+        input.pslg.add_ring([0u32, 1, 2, 3, 4]);
         input.domain = crate::DomainRule::Carve;
         let mut log = Log::new("lay out", input.pslg.points.clone());
         let output = sweep::lay_out(&input, &mut log).expect("a domain").finish();

@@ -152,9 +152,11 @@ pub use budget::Budget;
 pub use refined::RefinedMesh;
 pub use report::{Outcome, Reason, Report, Unmet};
 pub use sizing::SizingField;
+pub(crate) use thesis::CODE as THESIS_CODE;
 
 use crate::constrained::{Options, prepare};
-use crate::{DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy, Watch, parallel};
+use crate::parallel::{self, Workers};
+use crate::{DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy, Watch};
 
 /// When a segment has to be split because a vertex is too close to it, a vertex that sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -358,10 +360,7 @@ impl<'a> Refinement<'a> {
         pslg: Pslg,
         observer: &mut (impl Observer + Send),
     ) -> Result<RefinedMesh, Error> {
-        self.quality.require()?;
-        if self.strategy == Strategy::Thesis {
-            thesis::require_known(&self)?;
-        }
+        self.require()?;
         parallel::with_workers(self.threads, |workers| {
             let prepared = prepare(pslg, self.options, workers, self.watch)?;
             match self.strategy {
@@ -369,5 +368,26 @@ impl<'a> Refinement<'a> {
                 Strategy::Thesis => thesis::refine(prepared, &self, workers, observer),
             }
         })?
+    }
+
+    /// Refines by [`Strategy::Thesis`] on this thread alone, for observers that cannot leave it.
+    pub(crate) fn observe_here(
+        self,
+        pslg: Pslg,
+        observer: &mut impl Observer,
+    ) -> Result<RefinedMesh, Error> {
+        let thesis = self.strategy(Strategy::Thesis);
+        thesis.require()?;
+        let prepared = prepare(pslg, thesis.options, Workers::ONE, thesis.watch)?;
+        thesis::refine(prepared, &thesis, Workers::ONE, observer)
+    }
+
+    /// Refuses bounds that make no sense, or that the strategy does not know.
+    fn require(&self) -> Result<(), Error> {
+        self.quality.require()?;
+        match self.strategy {
+            Strategy::Delaunay => Ok(()),
+            Strategy::Thesis => thesis::require_known(self),
+        }
     }
 }

@@ -14,8 +14,8 @@
 //!    skinniest is at most a hundredth of what it was at first. Then, or if an edge has become too long,
 //!    the result is the mesh of phase 1, and its outcome says so.
 //!
-//! Of equals, numbers decide: those of edges and triangles in the thesis' [tables], which therefore are
-//! kept as it keeps them. The print's errors are corrected as its examples demand.
+//! Of equals, numbers decide: those of edges and triangles in the thesis' [tables](crate::tables), which
+//! therefore are kept as it keeps them. The print's errors are corrected as its examples demand.
 //!
 //! *Guaranteed*: what phase 1 reaches, if budget and precision allow; and a valid mesh, whatever happens.
 //! *Not guaranteed*: any angle. There are no shells around sharp corners and no rule about encroachment; the
@@ -24,21 +24,18 @@
 //!
 //! *Departures*: four points on a circle are decided by the symbolic perturbation; signs, visibility and right
 //! angles are exact; lines within the domain are constraints, too; and the mesh it starts from is the
-//! canonical one, numbered as the sweep of the thesis would [number](numbering) it. A vertex that would invert
+//! canonical one, numbered as the sweep of the thesis would [number](crate::tables::tables_of) it. A vertex that would invert
 //! a triangle by rounding stops the work.
 //!
 //! *Cost*: O(log n) for each vertex, and for each edge examined: there is no search through all edges.
 
-mod edits;
-mod flips;
+mod code;
 mod limits;
-mod numbering;
 mod opening;
+mod picture;
 mod queues;
-mod shape;
 mod sight;
 mod split;
-mod tables;
 #[cfg(test)]
 mod tests;
 mod verdict;
@@ -50,7 +47,9 @@ use crate::parallel::Workers;
 use crate::{
     ConstrainedTriangulation, DomainRule, Error, Event, Observer, Quality, Stage, VertexId,
 };
+pub(crate) use code::CODE;
 use limits::Limits;
+use picture::Picture;
 use work::Work;
 
 /// Refines a domain that is triangulated and carved.
@@ -68,15 +67,14 @@ pub(super) fn refine(
         quality: refinement.quality,
         workers,
     };
-    let mut steiner = Steiner::default();
-    // What each stage has left behind, as a number of vertices added.
-    let mut saved = vec![0];
+    let mut progress = Progress::default();
     let mut limits = Limits::new(refinement.budget, refinement.watch);
-    let outcome = run.stages(&mut steiner, &mut saved, &mut limits, observer)?;
+    run.tell_start(&mut progress, observer);
+    let outcome = run.stages(&mut progress, &mut limits, observer)?;
     if outcome != Outcome::FellBack {
-        saved.push(steiner.points.len());
+        progress.saved.push(progress.steiner.points.len());
     }
-    let (mesh, outcome) = run.hand_out(&steiner, saved, outcome, observer)?;
+    let (mesh, outcome) = run.hand_out(&mut progress, outcome, observer)?;
     let report = verdict::report(&mesh, refinement.quality, outcome);
     Ok(RefinedMesh::new(mesh, report))
 }
@@ -107,64 +105,132 @@ struct Run<'a> {
     workers: Workers,
 }
 
+/// What has been done.
+struct Progress {
+    steiner: Steiner,
+    /// What each stage has left behind, as a number of vertices added.
+    saved: Vec<usize>,
+    /// What whoever watches sees; empty if nobody does.
+    shown: Picture,
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Self {
+            steiner: Steiner::default(),
+            saved: vec![0],
+            shown: Picture::default(),
+        }
+    }
+}
+
 impl Run<'_> {
     /// Takes one stage after the other until something stops them, and says what.
     fn stages(
         &self,
-        steiner: &mut Steiner,
-        saved: &mut Vec<usize>,
+        progress: &mut Progress,
         limits: &mut Limits,
         observer: &mut impl Observer,
     ) -> Result<Outcome, Error> {
         let bound = self.quality.max_edge.unwrap_or(f64::INFINITY);
-        if let Err(why) = split::split_edges(self.start, bound, steiner, limits, observer) {
+        let steiner = &mut progress.steiner;
+        let divided = split::split_edges(self.start, bound, steiner, limits, observer);
+        if observer.is_watching() {
+            progress.shown = Picture::of_segments(self.start, steiner);
+        }
+        if let Err(why) = divided {
             return Ok(why);
         }
-        observer.tell(0, || Event::StageEnded {
+        observer.tell(code::SEGMENTS, || Event::StageEnded {
             stage: Stage::SplitEdges,
             min_angle: None,
         });
         let Some(mesh) = self.mesh(steiner, steiner.points.len())? else {
             return Ok(Outcome::PrecisionLimit);
         };
-        saved.push(steiner.points.len());
+        progress.saved.push(steiner.points.len());
+        if observer.is_watching() {
+            let points = mesh.triangulation().points();
+            let (shown, to) = (&mut progress.shown, Picture::of_mesh(&mesh));
+            shown.turn_into(to, points, code::MESH, observer);
+        }
+        let is_watched = observer.is_watching();
         let mut work = Work::new(&mesh, steiner, limits, observer);
-        let shortened = work.shorten(bound);
-        if let Err(why) = shortened {
-            return Ok(why);
+        let outcome = self.phases(&mut work, bound, &mut progress.saved);
+        let triangles: Option<Vec<_>> = is_watched.then(|| work.triangles().collect());
+        if let Some(triangles) = triangles.filter(|t| !t.is_empty()) {
+            progress.shown = Picture::of_segments(self.start, steiner).with(triangles);
         }
+        Ok(outcome.err().unwrap_or(Outcome::Complete))
+    }
+
+    /// Takes the two phases, unless something stops them.
+    fn phases<O: Observer>(
+        &self,
+        work: &mut Work<O>,
+        bound: f64,
+        saved: &mut Vec<usize>,
+    ) -> Result<(), Outcome> {
+        work.shorten(bound)?;
         saved.push(work.num_steiner());
-        if let Some(Err(why)) = self.quality.min_angle.map(|angle| work.open(angle)) {
-            return Ok(why);
+        if let Some(angle) = self.quality.min_angle {
+            work.open(angle)?;
         }
-        Ok(if work.keeps_to(bound) {
-            Outcome::Complete
-        } else {
-            Outcome::FellBack
-        })
+        match work.keeps_to(bound) {
+            true => Ok(()),
+            false => Err(Outcome::FellBack),
+        }
     }
 
     /// Makes the mesh of the last stage that rounding has not spoilt: vertices on the border may have
     /// met what lies beyond, which no stage looks at.
     fn hand_out(
         &self,
-        steiner: &Steiner,
-        mut saved: Vec<usize>,
+        progress: &mut Progress,
         mut outcome: Outcome,
         observer: &mut impl Observer,
     ) -> Result<(ConstrainedTriangulation, Outcome), Error> {
-        while let Some(count) = saved.pop() {
-            if let Some(mesh) = self.mesh(steiner, count)? {
-                if count < steiner.points.len() {
-                    let first = self.start.triangulation().points().len();
-                    let from = VertexId::new(first + count);
-                    observer.tell(0, || Event::TakenBack { from });
-                }
+        while let Some(count) = progress.saved.pop() {
+            if let Some(mesh) = self.mesh(&progress.steiner, count)? {
+                self.tell_result(&mesh, progress, observer);
                 return Ok((mesh, outcome));
             }
             outcome = Outcome::PrecisionLimit;
         }
         unreachable!("bug: without new vertices the mesh is what it was")
+    }
+
+    /// Lays out the segments, and the vertices where they cross.
+    fn tell_start(&self, progress: &mut Progress, observer: &mut impl Observer) {
+        if observer.is_watching() {
+            progress.shown = Picture::of_points(self.start.num_input_points());
+            let to = Picture::of_segments(self.start, &Steiner::default());
+            let points = self.start.triangulation().points();
+            progress.shown.turn_into(to, points, 0, observer);
+        }
+    }
+
+    /// Tells of all that leads from what was made to what is handed out: nothing, if all went well.
+    fn tell_result(
+        &self,
+        mesh: &ConstrainedTriangulation,
+        progress: &mut Progress,
+        observer: &mut impl Observer,
+    ) {
+        if !observer.is_watching() {
+            return;
+        }
+        let added = &progress.steiner.points;
+        let points = [self.start.triangulation().points(), added].concat();
+        let kept = mesh.triangulation().points().len();
+        if kept < points.len() {
+            let from = VertexId::new(kept);
+            observer.tell(code::RETURN, || Event::TakenBack { from });
+        }
+        let to = Picture::of_mesh(mesh);
+        progress
+            .shown
+            .turn_into(to, &points, code::RETURN, observer);
     }
 
     fn mesh(

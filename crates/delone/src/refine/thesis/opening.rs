@@ -1,9 +1,10 @@
 //! How a skinny triangle is opened: where the next vertex goes.
 
-use super::shape::circumcenter;
+use super::code;
 use super::sight::{lowest_around, sight};
-use super::tables::{Side, Tables};
 use crate::predicates::{CircleSide, in_diametral_circle};
+use crate::tables::{Side, Tables, Teller, circumcenter};
+use crate::{Event, Observer};
 
 /// Where the next vertex goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,26 +25,46 @@ pub(super) enum Opening {
 /// away from the constraint); else by bisecting its longest edge.
 ///
 /// Angles are compared with 90° exactly, with 90° − ε in rounded cosines.
-pub(super) fn opening(tables: &Tables, t: u32, sine: f64) -> Opening {
+pub(super) fn opening<O: Observer>(
+    tables: &Tables,
+    t: u32,
+    sine: f64,
+    teller: &mut Teller<O>,
+) -> Opening {
     let longest = longest_side(tables, t);
-    let bisect = Opening::Bisect(tables.row_of(longest));
     let center = circumcenter(tables.corners(t));
     if seen_from_apex(tables, longest) == CircleSide::Outside || !center.is_finite() {
-        return bisect;
+        teller.at(code::ACUTE);
+        return bisect(tables, longest, teller);
     }
-    let Some(place) = sight(tables, longest, center) else {
-        return bisect;
+    teller.at(code::SIGHT);
+    let Some(place) = sight(tables, longest, center, teller) else {
+        teller.at(code::HIDDEN);
+        return bisect(tables, longest, teller);
     };
     let other = lowest_around(tables, place);
+    teller.tell(|names| Event::TriangleVisited {
+        triangle: names.of(tables.triangles[other as usize]),
+    });
     let longest = longest_side(tables, other);
     let row = tables.row_of(longest);
     let is_wide = seen_from_apex(tables, longest) != CircleSide::Outside
         || tables.row(row).is_constraint && tables.shape(other).largest_cosine < sine;
     if is_wide {
-        Opening::Bisect(row)
-    } else {
-        Opening::Circumcenter(other)
+        teller.at(code::WIDE);
+        return bisect(tables, longest, teller);
     }
+    teller.at(code::INSERT);
+    Opening::Circumcenter(other)
+}
+
+/// Chooses to bisect the longest side of a triangle instead of using its circumcenter.
+fn bisect<O: Observer>(tables: &Tables, longest: Side, teller: &mut Teller<O>) -> Opening {
+    teller.tell(|names| Event::CircumcenterRejected {
+        triangle: names.of(tables.triangles[longest.triangle as usize]),
+        edge: names.of(tables.ends(longest)),
+    });
+    Opening::Bisect(tables.row_of(longest))
 }
 
 fn longest_side(tables: &Tables, t: u32) -> Side {

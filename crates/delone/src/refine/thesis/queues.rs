@@ -1,7 +1,7 @@
 //! What is next: the longest edge, the skinniest triangle. Entries are never removed but recognised as
 //! stale when they come up.
 
-use super::tables::Tables;
+use crate::tables::Tables;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 

@@ -1,8 +1,8 @@
 //! What can be seen from a corner of a triangle, if only constraints block the view.
 
-use super::tables::{Side, Tables};
-use crate::Point;
 use crate::predicates::{Orientation, orient2d};
+use crate::tables::{Side, Tables, Teller};
+use crate::{Event, Observer, Point};
 
 /// Where in the mesh a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,12 @@ pub(super) enum Place {
 /// constraint crosses the line of sight, a vertex lies on it, or it does not lead across `side`.
 ///
 /// Every sign is exact, so the straight way ends: each triangle is passed once.
-pub(super) fn sight(tables: &Tables, side: Side, goal: Point) -> Option<Place> {
+pub(super) fn sight<O: Observer>(
+    tables: &Tables,
+    side: Side,
+    goal: Point,
+    teller: &mut Teller<O>,
+) -> Option<Place> {
     let eye = tables.point(tables.apex(side));
     let [right, left] = tables.ends(side).map(|v| tables.point(v));
     let is_ahead = orient2d(eye, right, goal) == Orientation::Left
@@ -38,6 +43,9 @@ pub(super) fn sight(tables: &Tables, side: Side, goal: Point) -> Option<Place> {
             return None;
         }
         let entered = tables.across(side)?;
+        teller.tell(|names| Event::WalkStepped {
+            edge: names.of(tables.ends(side)),
+        });
         let apex = tables.point(tables.apex(entered));
         side = match orient2d(eye, goal, apex) {
             Orientation::Left => entered.next(),

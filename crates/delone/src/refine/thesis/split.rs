@@ -1,8 +1,9 @@
 //! `split_edges`: the segments in even pieces, before there is a mesh.
 
+use super::code;
 use super::limits::Limits;
-use super::shape::length;
 use crate::constrained::Steiner;
+use crate::tables::length;
 use crate::{ConstrainedTriangulation, Event, Observer, Outcome, Point, TriangleId, VertexId};
 
 /// Divides every constrained edge of the domain that is longer than `bound` into the fewest even pieces
@@ -20,6 +21,7 @@ pub(super) fn split_edges(
 ) -> Result<(), Outcome> {
     let vertices = t.triangulation().points().len();
     for ends in edges(t) {
+        observer.tell(code::SEGMENTS, || Event::EdgeExamined { edge: ends });
         let [b, a] = ends.map(|v| t.triangulation().point(v));
         // In floats: there may be more pieces than integers.
         let pieces = (length(a, b) / bound).ceil();
@@ -35,13 +37,25 @@ pub(super) fn split_edges(
             }
             let edge = [last, ends[0]];
             steiner.push(at, Some(edge));
-            observer.tell(0, || Event::VertexCreated { vertex, at });
-            observer.tell(0, || Event::SegmentSplit { edge, vertex });
+            tell_division(edge, vertex, at, observer);
             (before, last) = (at, vertex);
             i += 1.0;
         }
     }
     Ok(())
+}
+
+/// Tells that a segment is divided at a new vertex, before there are triangles.
+fn tell_division(edge: [VertexId; 2], vertex: VertexId, at: Point, observer: &mut impl Observer) {
+    let mut tell = |event| observer.tell(code::DIVIDE, || event);
+    tell(Event::VertexCreated { vertex, at });
+    tell(Event::SegmentSplit { edge, vertex });
+    tell(Event::EdgeUnlocked { edge });
+    tell(Event::EdgeDeleted { edge });
+    for edge in edge.map(|end| [end, vertex]) {
+        tell(Event::EdgeCreated { edge });
+        tell(Event::EdgeLocked { edge });
+    }
 }
 
 /// Lists the constrained edges of the domain's triangles, the smaller end first, in order.

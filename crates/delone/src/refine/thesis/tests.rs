@@ -1,19 +1,18 @@
 //! The worked examples of the thesis, and the tables under random edits.
 
-use super::flips::{Marks, edge_flip};
+use super::code;
 use super::limits::Limits;
-use super::numbering::tables_of;
 use super::opening::{Opening, opening};
-use super::shape::middle;
 use super::sight::{Place, lowest_around, sight};
 use super::split::split_edges;
-use super::tables::{Side, Tables};
 use super::work::Work;
 use crate::constrained::{Steiner, extend};
 use crate::parallel::Workers;
 use crate::predicates::{Orientation, orient2d};
+use crate::tables::{EdgeTables, Marks, Side, Tables, Teller, edge_flip, middle, tables_of};
 use crate::{
-    Angle, Budget, ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Outcome, Point, Pslg,
+    Angle, Budget, ConstrainedDelaunay, ConstrainedTriangulation, DomainRule, Event, Log, Observer,
+    Outcome, Point, Pslg, VertexId,
 };
 use serde_json::Value;
 
@@ -58,20 +57,28 @@ fn tables(points: Vec<Point>, triangles: &Value) -> Tables {
     Tables::new(points, triangles, |_| false)
 }
 
-/// The printed `edges_with_triangles`.
-fn printed_rows(tables: &Tables) -> Vec<[u32; 6]> {
-    let printed = |side: Side| [side.triangle + 1, side.position as u32 + 1];
-    let row = |row: &super::tables::Row| {
-        let [high, low] = row.ends.map(|v| v + 1);
-        let [t, position] = printed(row.first);
-        let [u, other] = row.second.map_or([0, 0], printed);
-        [high, low, t, position, u, other]
-    };
-    tables.rows.iter().map(row).collect()
+/// Marks all edges and flips; lists those examined, and which flipped to what.
+fn flip_all(tables: &mut Tables) -> (Vec<[VertexId; 2]>, Vec<[[VertexId; 2]; 2]>) {
+    let mut log = Log::default();
+    let names = (0..tables.points.len()).map(VertexId::new).collect();
+    let mut teller = Teller::new(names, &mut log);
+    let mut marks = Marks::default();
+    marks.add(0..tables.rows.len() as u32, tables, &mut teller);
+    edge_flip(tables, &mut marks, &mut teller, code::FLIP);
+    let (mut examined, mut flipped) = (Vec::new(), Vec::new());
+    for step in log.steps {
+        match step.event {
+            Event::EdgeExamined { edge } => examined.push(edge),
+            Event::EdgeFlipped { from, to } => flipped.push([from, to]),
+            _ => {}
+        }
+    }
+    (examined, flipped)
 }
 
-fn printed(rows: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    rows.iter().map(|row| row.map(|v| v + 1)).collect()
+/// Tells nobody.
+fn nobody(nobody: &mut ()) -> Teller<'_, impl Observer> {
+    Teller::new(Vec::new(), nobody)
 }
 
 /// Every entry agrees with every other, and triangles turn counter-clockwise.
@@ -102,12 +109,14 @@ fn tables_are_numbered_as_printed() {
     let printed_tables = structures();
     let tables = tables(points(&flips()["points"]), &printed_tables["triangulation"]);
     assert_sound(&tables);
+    let view = EdgeTables::from(&tables);
+    assert_eq!(view.triangles, rows(&printed_tables["triangulation"]));
     assert_eq!(
-        printed_rows(&tables),
+        view.edges_with_triangles,
         rows(&printed_tables["edges_with_triangles"])
     );
     assert_eq!(
-        printed(&tables.edges_of),
+        view.triangles_with_edges,
         rows(&printed_tables["triangles_with_edges"])
     );
     let constraints = (1..).zip(&tables.rows).filter(|(_, row)| row.is_constraint);
@@ -129,21 +138,25 @@ fn edges_are_flipped_as_printed() {
         points(&example["points"]),
         &example["before"]["triangulation"],
     );
-    let mut marks = Marks::default();
-    marks.add(0..tables.rows.len() as u32);
-    let (mut examined, mut flipped) = (0, Vec::new());
-    edge_flip(&mut tables, &mut marks, |edge, to| {
-        examined += 1;
-        flipped.extend(to.map(|to| [edge, to].map(|ends| ends.map(|v| v + 1))));
-    });
+    let (examined, flipped) = flip_all(&mut tables);
     assert_sound(&tables);
+    let flipped: Vec<_> = flipped
+        .iter()
+        .map(|pair| pair.map(|ends| ends.map(|v| v.index() + 1)))
+        .collect();
     assert_eq!(flipped, [[[3, 2], [4, 1]], [[8, 6], [9, 7]]]);
-    assert_eq!(examined, example["edges_examined"].as_u64().unwrap());
-    let after = &example["after"];
-    assert_eq!(printed(&tables.triangles), rows(&after["triangulation"]));
-    assert_eq!(printed_rows(&tables), rows(&after["edges_with_triangles"]));
     assert_eq!(
-        printed(&tables.edges_of),
+        examined.len() as u64,
+        example["edges_examined"].as_u64().unwrap()
+    );
+    let (view, after) = (EdgeTables::from(&tables), &example["after"]);
+    assert_eq!(view.triangles, rows(&after["triangulation"]));
+    assert_eq!(
+        view.edges_with_triangles,
+        rows(&after["edges_with_triangles"])
+    );
+    assert_eq!(
+        view.triangles_with_edges,
         rows(&after["triangles_with_edges"])
     );
 }
@@ -244,7 +257,8 @@ fn a_mesh_is_numbered_as_the_sweep_would() {
         rows
     };
     let expected: Vec<[u32; 3]> = rows(&after["triangulation"]);
-    assert_eq!(same(printed(&tables.triangles)), same(expected));
+    let view = EdgeTables::from(&tables);
+    assert_eq!(same(view.triangles), same(expected));
     // Written with the last vertex in the middle, by that vertex.
     assert!(tables.triangles.iter().all(|[a, b, c]| b > a && b > c));
     assert!(tables.triangles.is_sorted_by_key(|t| t[1]));
@@ -309,7 +323,9 @@ fn bisecting_and_inserting_number_as_stated() {
 #[test]
 fn constraints_and_vertices_block_the_view() {
     let (open, closed) = (pair(false), pair(true));
-    let look = |tables: &Tables, goal: (f64, f64)| sight(tables, Side::new(0, 1), goal.into());
+    let look = |tables: &Tables, goal: (f64, f64)| {
+        sight(tables, Side::new(0, 1), goal.into(), &mut nobody(&mut ()))
+    };
     let beyond = Side::new(1, 2);
     for (goal, place) in [
         ((1.0, 0.25), Some(Place::Triangle(0))),
@@ -337,7 +353,8 @@ fn opened(points: &[(f64, f64)], triangles: &[[u32; 3]], degrees: f64) -> Openin
     let points = points.iter().map(|&p| p.into()).collect();
     let tables = Tables::new(points, triangles.to_vec(), |_| false);
     assert_sound(&tables);
-    opening(&tables, 0, f64::to_radians(degrees).sin())
+    let sine = f64::to_radians(degrees).sin();
+    opening(&tables, 0, sine, &mut nobody(&mut ()))
 }
 
 #[test]
@@ -378,7 +395,6 @@ fn tables_stay_sound_under_random_edits() {
     };
     let (pslg, _) = thesis_domain();
     let (mut tables, _) = tables_of(&triangulated(pslg), 1.0);
-    let mut marks = Marks::default();
     for _ in 0..300 {
         let x = tables.points.len() as u32;
         let suspects = if below(2) == 0 {
@@ -392,15 +408,15 @@ fn tables_stay_sound_under_random_edits() {
             tables.points.push(middle(middle(a, b), c));
             tables.insert(t, x)
         };
-        marks.add(suspects);
-        edge_flip(&mut tables, &mut marks, |_, _| ());
+        let mut marks = Marks::default();
+        let mut told = ();
+        let mut teller = nobody(&mut told);
+        marks.add(suspects, &tables, &mut teller);
+        edge_flip(&mut tables, &mut marks, &mut teller, code::FLIP);
         assert_sound(&tables);
     }
-    let mut marks = Marks::default();
-    marks.add(0..tables.rows.len() as u32);
-    edge_flip(&mut tables, &mut marks, |edge, to| {
-        assert_eq!(to, None, "{edge:?} was forgotten");
-    });
+    let (_, forgotten) = flip_all(&mut tables);
+    assert!(forgotten.is_empty(), "{forgotten:?}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What the mesh is like in the end, and which triangles do not meet the bounds.
 
-use super::shape::{Shape, length};
 use crate::refine::{Outcome, Report, reasons};
+use crate::tables::{Shape, length};
 use crate::{
     Broken, ConstrainedTriangulation, HalfEdgeId, Locked, Origin, Quality, TriangleId, VertexId,
 };

@@ -1,16 +1,16 @@
 //! The two phases, and the steps that they are made of.
 
-use super::flips::{Marks, edge_flip};
+use super::code;
 use super::limits::Limits;
-use super::numbering::tables_of;
 use super::opening::{Opening, opening};
 use super::queues::{LongEdges, Skinny, smallest_of_all};
-use super::shape::{area, circumcenter, middle};
 use super::sight::{Place, sight};
-use super::tables::{Side, Tables};
 use crate::constrained::Steiner;
 use crate::predicates::{Orientation, orient2d};
 use crate::refine::handing::scale;
+use crate::tables::{
+    Marks, Side, Tables, Teller, area, circumcenter, edge_flip, middle, tables_of,
+};
 use crate::{Angle, ConstrainedTriangulation, Event, Observer, Outcome, Point, Stage, VertexId};
 
 /// The share of the first smallest area below which opening stops.
@@ -20,15 +20,14 @@ const SHARE: f64 = 0.01;
 pub(super) struct Work<'a, 'w, O> {
     pub tables: Tables,
     marks: Marks,
-    /// For each number of a vertex its name in the result.
-    names: Vec<VertexId>,
+    /// Knows the names of vertices in the result.
+    teller: Teller<'a, O>,
     /// The name of the next vertex.
     next: usize,
     /// Coordinates in the tables are those of the mesh times this power of two.
     scale: f64,
     steiner: &'a mut Steiner,
     limits: &'a mut Limits<'w>,
-    observer: &'a mut O,
 }
 
 impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
@@ -44,12 +43,11 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         Self {
             tables,
             marks: Marks::default(),
-            names,
+            teller: Teller::new(names, observer),
             next: mesh.triangulation().points().len(),
             scale,
             steiner,
             limits,
-            observer,
         }
     }
 
@@ -60,10 +58,11 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
     pub fn shorten(&mut self, bound: f64) -> Result<(), Outcome> {
         let mut long = LongEdges::new(&mut self.tables, bound * self.scale);
         while let Some(row) = long.take(&self.tables) {
+            self.teller.at(code::SHORTEN);
             self.bisect(row, long.len())?;
             long.update(&mut self.tables);
         }
-        self.end(Stage::ShortenEdges);
+        self.end(code::SAVE, Stage::ShortenEdges);
         Ok(())
     }
 
@@ -87,7 +86,7 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
                 return Err(Outcome::FellBack);
             }
         }
-        self.end(Stage::OpenTriangles);
+        self.end(code::SKINNY, Stage::OpenTriangles);
         Ok(())
     }
 
@@ -102,25 +101,21 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         self.steiner.points.len()
     }
 
+    /// Lists the triangles, by the names of their corners.
+    pub fn triangles(&self) -> impl Iterator<Item = [VertexId; 3]> + '_ {
+        let triangles = self.tables.triangles.iter();
+        triangles.map(|&corners| self.teller.names().of(corners))
+    }
+
     fn open_one(&mut self, t: u32, sine: f64) -> Result<(), Outcome> {
-        let name = |work: &Self, t: u32| work.tables.triangles[t as usize].map(|v| work.name(v));
-        let triangle = name(self, t);
-        self.observer
-            .tell(0, || Event::TriangleConsidered { triangle });
-        match opening(&self.tables, t, sine) {
-            Opening::Bisect(row) => {
-                let edge = self.tables.row(row).ends.map(|v| self.name(v));
-                self.observer
-                    .tell(0, || Event::CircumcenterRejected { triangle, edge });
-                self.bisect(row, 1)
-            }
-            Opening::Circumcenter(other) => {
-                let triangle = name(self, other);
-                let at = circumcenter(self.tables.corners(other));
-                self.observer
-                    .tell(0, || Event::CircumcenterProposed { triangle, at });
-                self.insert_circumcenter(other)
-            }
+        self.teller.at(code::SKINNIEST);
+        let corners = self.tables.triangles[t as usize];
+        self.teller.tell(|names| Event::TriangleConsidered {
+            triangle: names.of(corners),
+        });
+        match opening(&self.tables, t, sine, &mut self.teller) {
+            Opening::Bisect(row) => self.bisect(row, 1),
+            Opening::Circumcenter(other) => self.insert_circumcenter(other),
         }
     }
 
@@ -135,8 +130,13 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         if !at.is_finite() {
             return Err(Outcome::PrecisionLimit);
         }
+        let (corners, center) = (self.tables.triangles[t as usize], self.unscaled(at));
+        self.teller.tell(|names| Event::CircumcenterProposed {
+            triangle: names.of(corners),
+            at: center,
+        });
         let mut sides = [0, 1, 2].map(|k| Side::new(t, k)).into_iter();
-        match sides.find_map(|side| sight(&self.tables, side, at)) {
+        match sides.find_map(|side| sight(&self.tables, side, at, &mut self.teller)) {
             Some(Place::Triangle(t)) => self.split_triangle(t, at),
             Some(Place::Edge(side)) => self.split_edge(self.tables.row_of(side), at, 1),
             Some(Place::Vertex(_)) | None => Err(Outcome::PrecisionLimit),
@@ -151,13 +151,11 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
         if !sides.all(|side| self.has_room(side, at)) {
             return Err(Outcome::PrecisionLimit);
         }
-        let edge = content.ends.map(|v| self.name(v));
-        let (number, vertex, at) = self.add_vertex(at, content.is_constraint.then_some(edge));
-        let suspects = self.tables.bisect(row, number);
-        self.observer
-            .tell(0, || Event::VertexCreated { vertex, at });
-        self.observer
-            .tell(0, || Event::SegmentSplit { edge, vertex });
+        let edge = self.teller.names().of(content.ends);
+        let halved = content.is_constraint.then_some(edge);
+        let (number, vertex) = self.add_vertex(at, halved);
+        self.teller.tell(|_| Event::SegmentSplit { edge, vertex });
+        let suspects = self.teller.bisect(&mut self.tables, row, number);
         self.flip(suspects);
         Ok(())
     }
@@ -173,50 +171,45 @@ impl<'a, 'w, O: Observer> Work<'a, 'w, O> {
     /// Joins a vertex in a triangle to its corners, and flips until all is Delaunay again.
     fn split_triangle(&mut self, t: u32, at: Point) -> Result<(), Outcome> {
         self.limits.admit(self.next, 1)?;
-        let triangle = self.tables.triangles[t as usize].map(|v| self.name(v));
-        let (number, vertex, at) = self.add_vertex(at, None);
-        let suspects = self.tables.insert(t, number);
-        self.observer
-            .tell(0, || Event::VertexCreated { vertex, at });
-        self.observer
-            .tell(0, || Event::TriangleVisited { triangle });
+        let (number, _) = self.add_vertex(at, None);
+        let suspects = self.teller.insert(&mut self.tables, t, number);
         self.flip(suspects);
         Ok(())
     }
 
-    /// Adds a vertex; returns its number, its name, and where it lies in the mesh.
-    fn add_vertex(&mut self, at: Point, halved: Option<[VertexId; 2]>) -> (u32, VertexId, Point) {
-        let (number, vertex) = (self.names.len() as u32, VertexId::new(self.next));
+    /// Adds a vertex; returns its number and its name.
+    fn add_vertex(&mut self, at: Point, halved: Option<[VertexId; 2]>) -> (u32, VertexId) {
+        let vertex = VertexId::new(self.next);
         self.next += 1;
-        self.names.push(vertex);
+        let number = self.teller.add_name(vertex);
         self.tables.points.push(at);
-        let at = Point::new(at.x / self.scale, at.y / self.scale);
+        let at = self.unscaled(at);
         self.steiner.push(at, halved);
-        (number, vertex, at)
+        self.teller.tell(|_| Event::VertexCreated { vertex, at });
+        (number, vertex)
+    }
+
+    /// Where a point of the tables lies in the mesh.
+    fn unscaled(&self, p: Point) -> Point {
+        Point::new(p.x / self.scale, p.y / self.scale)
     }
 
     fn flip(&mut self, suspects: Vec<u32>) {
-        self.marks.add(suspects);
-        let (names, observer) = (&self.names, &mut self.observer);
-        let name = |edge: [u32; 2]| edge.map(|v| names[v as usize]);
-        edge_flip(&mut self.tables, &mut self.marks, |edge, flipped| {
-            observer.tell(0, || Event::EdgeExamined { edge: name(edge) });
-            if let Some(to) = flipped {
-                let [from, to] = [edge, to].map(name);
-                observer.tell(0, || Event::EdgeFlipped { from, to });
-            }
-        });
+        let Self {
+            tables,
+            marks,
+            teller,
+            ..
+        } = self;
+        marks.add(suspects, tables, teller);
+        edge_flip(tables, marks, teller, code::FLIP);
     }
 
-    fn end(&mut self, stage: Stage) {
+    fn end(&mut self, line: u16, stage: Stage) {
         let skinniest = smallest_of_all(&self.tables);
         let cosine = skinniest.map(|t| self.tables.shape(t).cosine);
         let min_angle = cosine.map(|c| Angle::radians(libm::acos(c.min(1.0))));
-        self.observer
-            .tell(0, || Event::StageEnded { stage, min_angle });
-    }
-
-    fn name(&self, number: u32) -> VertexId {
-        self.names[number as usize]
+        self.teller.at(line);
+        self.teller.tell(|_| Event::StageEnded { stage, min_angle });
     }
 }

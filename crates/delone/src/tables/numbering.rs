@@ -4,14 +4,14 @@
 //! its sweep would emit them, if it emitted this mesh: with the last vertex reached in the middle, by
 //! that vertex, and for one vertex upwards along the front.
 
-use super::tables::Tables;
+use super::Tables;
 use crate::predicates::{Orientation, orient2d};
 use crate::{ConstrainedTriangulation, HalfEdgeId, Point, TriangleId, VertexId};
 use std::cmp::Ordering;
 
 /// Makes the tables of the triangles of a domain, coordinates multiplied by `scale`, with the name of each
 /// number.
-pub(super) fn tables_of(t: &ConstrainedTriangulation, scale: f64) -> (Tables, Vec<VertexId>) {
+pub(crate) fn tables_of(t: &ConstrainedTriangulation, scale: f64) -> (Tables, Vec<VertexId>) {
     let mesh = t.triangulation();
     let corners = mesh.triangles().as_flattened();
     let mut names = corners.to_vec();

@@ -4,7 +4,7 @@
 use crate::Point;
 
 /// The length of an edge: positive and finite, whatever the coordinates.
-pub(super) fn length(a: Point, b: Point) -> f64 {
+pub(crate) fn length(a: Point, b: Point) -> f64 {
     let [dx, dy] = [b.x - a.x, b.y - a.y].map(|d| d.clamp(-f64::MAX, f64::MAX).abs());
     let squared = dx * dx + dy * dy;
     if (1e-280..1e300).contains(&squared) {
@@ -17,13 +17,13 @@ pub(super) fn length(a: Point, b: Point) -> f64 {
 }
 
 /// The area of a triangle, in either orientation; may round to zero or infinity.
-pub(super) fn area([a, b, c]: [Point; 3]) -> f64 {
+pub(crate) fn area([a, b, c]: [Point; 3]) -> f64 {
     let [[ux, uy], [vx, vy]] = [b, c].map(|p| [p.x - a.x, p.y - a.y]);
     0.5 * (ux * vy - uy * vx).abs()
 }
 
 /// The circumcenter of a triangle; not finite, or far off, if coordinates leave no better.
-pub(super) fn circumcenter([a, b, c]: [Point; 3]) -> Point {
+pub(crate) fn circumcenter([a, b, c]: [Point; 3]) -> Point {
     let [[ux, uy], [vx, vy]] = [b, c].map(|p| [p.x - a.x, p.y - a.y]);
     let doubled = 2.0 * (ux * vy - uy * vx);
     let [u, v] = [ux * ux + uy * uy, vx * vx + vy * vy];
@@ -32,13 +32,13 @@ pub(super) fn circumcenter([a, b, c]: [Point; 3]) -> Point {
 }
 
 /// The middle of an edge, each coordinate rounded once.
-pub(super) fn middle(a: Point, b: Point) -> Point {
+pub(crate) fn middle(a: Point, b: Point) -> Point {
     Point::new(f64::midpoint(a.x, b.x), f64::midpoint(a.y, b.y))
 }
 
 /// The shape of a triangle, from the lengths of its edges by their positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shape {
+pub(crate) struct Shape {
     /// The cosine of the smallest angle: the larger, the skinnier.
     pub cosine: f64,
     /// The cosine of the largest angle.

@@ -3,7 +3,7 @@
 //!
 //! Each returns the rows to be looked at again.
 
-use super::tables::{Row, Side, Tables};
+use super::{Row, Side, Tables};
 
 impl Tables {
     /// Replaces edge AB, A the larger end, by CD; ABC is the triangle that runs from A to B.
@@ -16,18 +16,8 @@ impl Tables {
     ///        D               D
     /// ```
     pub fn flip(&mut self, row: u32) -> [u32; 4] {
-        let Row {
-            ends,
-            first,
-            second,
-            ..
-        } = *self.row(row);
-        let second = second.expect("bug: flipped an edge of the border");
-        let (s, g) = if self.ends(first) == ends {
-            (first, second)
-        } else {
-            (second, first)
-        };
+        let sides = self.both_sides(row);
+        let [s, g] = sides.expect("bug: flipped an edge of the border");
         let ([a, b], c, d) = (self.ends(s), self.apex(s), self.apex(g));
         let [bc, ca] = [s.next(), s.prev()].map(|side| self.row_of(side));
         let [ad, db] = [g.next(), g.prev()].map(|side| self.row_of(side));

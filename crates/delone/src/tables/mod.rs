@@ -1,4 +1,5 @@
-//! The mesh as the thesis keeps it: triangles in slots, and a numbered row for each edge.
+//! The mesh as the thesis (Ulm, 2012) keeps it: triangles in slots, and a numbered row for each edge. Of
+//! equals, numbers decide what its algorithms do next; so whoever repeats them needs its tables.
 //!
 //! | in the thesis | here |
 //! |---|---|
@@ -8,15 +9,33 @@
 //!
 //! An edge has position 0, 1 or 2 in a triangle (v₁v₂, v₂v₃, v₃v₁): one less than in print, as all
 //! numbers are. In print an edge without a second triangle is a constraint and no other is; here lines
-//! within the domain may be constraints, too.
+//! within the domain may be constraints, too. [`EdgeTables`] is the printed form.
+//!
+//! - [`edits`]: the three ways to change them. [`flips`]: `edge_flip`. [`telling`]: both, observed.
+//! - [`numbering`]: the tables of a domain, numbered as the thesis would number it.
+//! - [`shape`]: lengths, angles and areas as the thesis compares them.
+//!
+//! *Cost*: O(1) an edit; O(n log n) to make them.
 
-use super::shape::{Shape, length};
+mod edits;
+mod flips;
+mod numbering;
+mod printed;
+mod shape;
+mod telling;
+
+pub(crate) use flips::{FlipLines, Marks, edge_flip, examine};
+pub(crate) use numbering::tables_of;
+pub use printed::EdgeTables;
+pub(crate) use shape::{Shape, area, circumcenter, length, middle};
+pub(crate) use telling::Teller;
+
 use crate::Point;
 use crate::predicates::{Orientation, orient2d};
 
 /// Where an edge lies in a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Side {
+pub(crate) struct Side {
     pub triangle: u32,
     pub position: usize,
 }
@@ -39,7 +58,7 @@ impl Side {
 
 /// An edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// Its ends, the larger number first.
     pub ends: [u32; 2],
     pub first: Side,
@@ -50,7 +69,7 @@ pub(super) struct Row {
 
 /// The mesh.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tables {
+pub(crate) struct Tables {
     pub points: Vec<Point>,
     pub triangles: Vec<[u32; 3]>,
     pub edges_of: Vec<[u32; 3]>,
@@ -61,7 +80,7 @@ pub(super) struct Tables {
 
 /// What was written since it was last looked at.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Written {
+pub(crate) struct Written {
     pub triangles: Vec<u32>,
     pub rows: Vec<u32>,
 }
@@ -80,12 +99,7 @@ impl Tables {
             triangles,
             ..Self::default()
         };
-        let slots = 0..tables.triangles.len() as u32;
-        let sides = slots.flat_map(|t| [0, 1, 2].map(|k| Side::new(t, k)));
-        let mut sides: Vec<_> = sides
-            .map(|side| (ascending(tables.ends(side)), side))
-            .collect();
-        sides.sort_by_key(|&(ends, _)| ends);
+        let sides = numbered(&tables.triangles);
         for run in sides.chunk_by(|a, b| a.0 == b.0) {
             let ([low, high], first) = run[0];
             let second = run.get(1).map(|&(_, side)| side);
@@ -137,6 +151,17 @@ impl Tables {
         }
     }
 
+    /// An edge in its two triangles: first in the one that runs from its larger end to its smaller.
+    /// `None`: it has but one.
+    pub fn both_sides(&self, row: u32) -> Option<[Side; 2]> {
+        let row = self.row(row);
+        let (first, second) = (row.first, row.second?);
+        Some(match self.ends(first) == row.ends {
+            true => [first, second],
+            false => [second, first],
+        })
+    }
+
     /// The lengths of a triangle's edges, by position.
     pub fn lengths(&self, t: u32) -> [f64; 3] {
         self.edges_of[t as usize].map(|row| self.row(row).length)
@@ -161,7 +186,7 @@ impl Tables {
     }
 
     /// Writes a slot, or the one behind the last.
-    pub(super) fn set_triangle(&mut self, t: u32, corners: [u32; 3], rows: [u32; 3]) {
+    fn set_triangle(&mut self, t: u32, corners: [u32; 3], rows: [u32; 3]) {
         if t as usize == self.triangles.len() {
             self.triangles.push(corners);
             self.edges_of.push(rows);
@@ -172,7 +197,7 @@ impl Tables {
     }
 
     /// Writes a row, or the one behind the last.
-    pub(super) fn set_row(
+    fn set_row(
         &mut self,
         row: u32,
         [a, b]: [u32; 2],
@@ -193,6 +218,19 @@ impl Tables {
         self.rows[row as usize] = content;
         self.written.rows.push(row);
     }
+}
+
+/// Lists the sides of triangles with their ends, the smaller first, in the order of the rows: the
+/// sides of an edge stand together, that of the lowest triangle first.
+fn numbered(triangles: &[[u32; 3]]) -> Vec<([u32; 2], Side)> {
+    let corners = (0..).zip(triangles);
+    let sides = corners.flat_map(|(t, &[a, b, c])| {
+        let ends = [[a, b], [b, c], [c, a]].map(ascending);
+        [0, 1, 2].map(|k| (ends[k], Side::new(t, k)))
+    });
+    let mut sides: Vec<_> = sides.collect();
+    sides.sort_by_key(|&(ends, _)| ends);
+    sides
 }
 
 fn ascending([a, b]: [u32; 2]) -> [u32; 2] {

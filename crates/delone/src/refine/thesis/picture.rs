@@ -1,0 +1,121 @@
+//! What whoever watches sees, as sets: whatever changes at once is told as their difference.
+//!
+//! *Cost*: O(n log n); made only if anybody watches.
+
+use crate::constrained::Steiner;
+use crate::{ConstrainedTriangulation, Event, Observer, Point, VertexId};
+use std::collections::BTreeSet;
+
+/// Vertices, segments and triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Picture {
+    num_points: usize,
+    /// Smaller end first.
+    segments: BTreeSet<[VertexId; 2]>,
+    /// Segments and sides of triangles, smaller end first.
+    edges: BTreeSet<[VertexId; 2]>,
+    /// Smallest corner first.
+    triangles: BTreeSet<[VertexId; 3]>,
+}
+
+impl Picture {
+    /// So many points, and nothing between them.
+    pub fn of_points(num_points: usize) -> Self {
+        Self {
+            num_points,
+            ..Self::default()
+        }
+    }
+
+    /// The points and segments of a domain, once those are divided.
+    pub fn of_segments(t: &ConstrainedTriangulation, steiner: &Steiner) -> Self {
+        let num_points = t.triangulation().points().len();
+        let mut segments: BTreeSet<_> = t.constrained_edges().map(ascending).collect();
+        for (v, halved) in (num_points..).map(VertexId::new).zip(&steiner.halved) {
+            if let Some([a, b]) = *halved {
+                segments.remove(&ascending([a, b]));
+                segments.extend([[a, v], [v, b]].map(ascending));
+            }
+        }
+        Self {
+            num_points: num_points + steiner.points.len(),
+            edges: segments.clone(),
+            segments,
+            triangles: BTreeSet::new(),
+        }
+    }
+
+    /// A mesh with its segments.
+    pub fn of_mesh(t: &ConstrainedTriangulation) -> Self {
+        let corners = t.triangulation().triangles().iter().copied();
+        let mut picture = Self::of_segments(t, &Steiner::default()).with(corners);
+        // If all points lie on one line, there are edges without triangles.
+        picture
+            .edges
+            .extend(t.triangulation().edges().map(ascending));
+        picture
+    }
+
+    /// Adds triangles and their sides.
+    pub fn with(mut self, triangles: impl IntoIterator<Item = [VertexId; 3]>) -> Self {
+        for [a, b, c] in triangles {
+            self.edges.extend([[a, b], [b, c], [c, a]].map(ascending));
+            self.triangles.insert(smallest_first([a, b, c]));
+        }
+        self
+    }
+
+    /// Turns this picture into another, and tells of all that changes; `points` are those of both.
+    pub fn turn_into(
+        &mut self,
+        to: Self,
+        points: &[Point],
+        line: u16,
+        observer: &mut impl Observer,
+    ) {
+        self.tell_change(&to, points, |event| observer.tell(line, || event));
+        *self = to;
+    }
+
+    fn tell_change(&self, to: &Self, points: &[Point], mut tell: impl FnMut(Event)) {
+        for &triangle in self.triangles.difference(&to.triangles) {
+            tell(Event::TriangleDeleted { triangle });
+        }
+        for &edge in self.segments.difference(&to.segments) {
+            tell(Event::EdgeUnlocked { edge });
+        }
+        for &edge in self.edges.difference(&to.edges) {
+            tell(Event::EdgeDeleted { edge });
+        }
+        let numbered = |i: usize| (VertexId::new(i), points[i]);
+        for (vertex, at) in (to.num_points..self.num_points).rev().map(numbered) {
+            tell(Event::VertexDeleted { vertex, at });
+        }
+        for (vertex, at) in (self.num_points..to.num_points).map(numbered) {
+            tell(Event::VertexCreated { vertex, at });
+        }
+        for &edge in to.edges.difference(&self.edges) {
+            tell(Event::EdgeCreated { edge });
+        }
+        for &edge in to.segments.difference(&self.segments) {
+            tell(Event::EdgeLocked { edge });
+        }
+        for &triangle in to.triangles.difference(&self.triangles) {
+            tell(Event::TriangleCreated { triangle });
+        }
+    }
+}
+
+fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn smallest_first([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
+    if a < b && a < c {
+        [a, b, c]
+    } else if b < c {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
