@@ -36,13 +36,15 @@ pub enum Format {
     Svg,
     /// Picture of pixels.
     Png,
+    /// Moving picture of pixels.
+    Gif,
     /// Page for the browser: a report.
     Html,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Node,
         Self::Ele,
         Self::Edge,
@@ -55,6 +57,7 @@ impl Format {
         Self::Vtu,
         Self::Svg,
         Self::Png,
+        Self::Gif,
         Self::Html,
     ];
 
@@ -78,6 +81,7 @@ impl Format {
             Self::Vtu => &["vtu"],
             Self::Svg => &["svg"],
             Self::Png => &["png"],
+            Self::Gif => &["gif"],
             Self::Html => &["html", "htm"],
         }
     }
@@ -125,7 +129,7 @@ impl Format {
     pub const fn reads_points(self) -> bool {
         !matches!(
             self,
-            Self::Edge | Self::Neigh | Self::Svg | Self::Png | Self::Html
+            Self::Edge | Self::Neigh | Self::Svg | Self::Png | Self::Gif | Self::Html
         )
     }
 
@@ -142,7 +146,7 @@ impl Format {
 
     /// Tells whether [`write_mesh`](crate::write_mesh) can write the format.
     pub const fn writes_mesh(self) -> bool {
-        !matches!(self, Self::Table | Self::Wkt | Self::Html)
+        !matches!(self, Self::Table | Self::Wkt | Self::Gif | Self::Html)
     }
 
     /// Tells whether [`write_mesh`](crate::write_mesh) can write triangles of six nodes in the format,
@@ -161,6 +165,7 @@ impl Format {
                 | Self::Poly
                 | Self::GeoJson
                 | Self::Wkt
+                | Self::Gif
                 | Self::Html
         )
     }
@@ -199,7 +204,12 @@ impl Format {
         matches!(self, Self::Svg | Self::Png | Self::Html)
     }
 
-    /// Tells whether the format is a picture.
+    /// Tells whether [`write_animation`](crate::write_animation) can write the format.
+    pub const fn writes_animation(self) -> bool {
+        matches!(self, Self::Svg | Self::Gif | Self::Png)
+    }
+
+    /// Tells whether the format is a picture that does not move.
     pub const fn is_picture(self) -> bool {
         matches!(self, Self::Svg | Self::Png)
     }

@@ -71,6 +71,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod animation;
 mod areas;
 mod asc;
 mod cancel;
@@ -113,6 +114,7 @@ mod wkt;
 pub mod words;
 mod write;
 
+pub use animation::{AnimationOptions, AnimationReport, Pace, ShownSteps, Strip, write_animation};
 pub use areas::read_areas;
 pub use cells::CellsView;
 pub use constraints::Constraints;

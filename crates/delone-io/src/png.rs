@@ -353,7 +353,8 @@ fn push_loop(path: &mut PathBuilder, corners: &[[f32; 2]]) {
     path.close();
 }
 
-fn path_of(strokes: &[GlyphStroke]) -> Option<Path> {
+/// Makes a path of strokes; one without extent is none.
+pub(crate) fn path_of(strokes: &[GlyphStroke]) -> Option<Path> {
     let mut path = PathBuilder::new();
     for stroke in strokes {
         match *stroke {
@@ -372,7 +373,7 @@ fn stroke_path(page: &mut Pixmap, path: Option<Path>, paint: &Paint<'_>, stroke:
     }
 }
 
-fn paint(Color([r, g, b]): Color, opacity: f32) -> Paint<'static> {
+pub(crate) fn paint(Color([r, g, b]): Color, opacity: f32) -> Paint<'static> {
     let mut paint = Paint::default();
     if let Some(color) = tiny_skia::Color::from_rgba(r, g, b, opacity) {
         paint.set_color(color);
@@ -380,7 +381,7 @@ fn paint(Color([r, g, b]): Color, opacity: f32) -> Paint<'static> {
     paint
 }
 
-fn round_stroke(width: f32) -> Stroke {
+pub(crate) fn round_stroke(width: f32) -> Stroke {
     Stroke {
         width,
         line_cap: LineCap::Round,

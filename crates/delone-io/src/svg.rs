@@ -320,7 +320,7 @@ fn write_shape(
     }
 }
 
-fn write_strokes(out: &mut Output<'_>, path: &[Stroke]) -> Result<(), Error> {
+pub(crate) fn write_strokes(out: &mut Output<'_>, path: &[Stroke]) -> Result<(), Error> {
     path.iter().try_for_each(|stroke| match stroke {
         Stroke::Move([x, y]) => out.text(format_args!("M{x:.1} {y:.1}")),
         Stroke::Line([x, y]) => out.text(format_args!("L{x:.1} {y:.1}")),
@@ -354,7 +354,7 @@ fn push_line(path: &mut String, from: [f32; 2], to: [f32; 2]) {
 }
 
 /// Writes a number of tenths as shortly as SVG allows: `-.5`, `12`, `3.4`.
-fn push_tenths(path: &mut String, tenths: i32) {
+pub(crate) fn push_tenths(path: &mut String, tenths: i32) {
     if tenths < 0 {
         path.push('-');
     }

@@ -16,6 +16,7 @@ pub(crate) mod relief;
 pub(crate) mod sheet;
 mod view;
 
+pub(crate) use angle::smallest_angle;
 pub(crate) use color::{Color, INK, PAPER, even_scale, scale};
 pub(crate) use view::{Page, View};
 
@@ -104,7 +105,7 @@ impl<'a> Scene<'a> {
         for (t, &corners) in mesh.triangles.iter().enumerate() {
             scene.poll(Pass::Angles, t)?;
             let corners = corners.map(|v| scene.view.normalized(mesh.points[v.index()]));
-            let angle = angle::smallest_angle(corners);
+            let angle = smallest_angle(corners);
             let class = (angle / 60.0 * CLASSES as f64) as usize;
             scene.classes.push(class.min(CLASSES - 1) as u8);
         }

@@ -59,10 +59,24 @@ impl View {
         let free = [page.size - across, page.size - down].map(f64::from);
         let wide = free[0].min(free[1] / ratio);
         let area = [wide, wide * ratio];
-        let per_unit = (area[0] / width).min(area[1] / height);
+        Self::within(
+            points,
+            [area[0] as f32 + across, area[1] as f32 + down].map(f32::round),
+            [[page.margin; 2], area.map(|v| v as f32)],
+        )
+    }
+
+    /// Fits points into a box of the page, given by corner and extent.
+    pub fn within(points: &[Point], page: [f32; 2], drawing: [[f32; 2]; 2]) -> Self {
+        let power = power_for(points);
+        let scaled = |p: &Point| Point::new(p.x * power, p.y * power);
+        let (low, high) = bounds(points.iter().map(scaled));
+        let [width, height] = [high.x - low.x, high.y - low.y];
+        let [across, down] = drawing[1].map(f64::from);
+        let per_unit = (across / width).min(down / height);
         Self {
-            page: [area[0] as f32 + across, area[1] as f32 + down].map(f32::round),
-            drawing: [[page.margin; 2], area.map(|v| v as f32)],
+            page,
+            drawing,
             power,
             center: Point::new(low.x + width / 2.0, low.y + height / 2.0),
             // One point, or many in one place, lie in the middle at any scale.

@@ -179,6 +179,6 @@ fn alone(format: Format, is_constrained: bool) -> Option<Content> {
         Format::Vtu => Some(Content::Vtu),
         Format::Svg => Some(Content::Svg),
         Format::Png => Some(Content::Png),
-        Format::Table | Format::Wkt | Format::Html => None,
+        Format::Table | Format::Wkt | Format::Gif | Format::Html => None,
     }
 }

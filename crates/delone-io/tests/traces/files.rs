@@ -34,7 +34,7 @@ fn check_round_trip(recording: &Recording) {
 }
 
 /// The log of a real run.
-fn run(points: Vec<Point>) -> Recording {
+pub fn run(points: Vec<Point>) -> Recording {
     let input = Input::from_points(points);
     let about = Algorithm::Incremental.about();
     let mut log = Log::new(about.name, input.pslg.points.clone());

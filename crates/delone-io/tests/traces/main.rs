@@ -1,4 +1,5 @@
-//! Runs of algorithms, and their files.
+//! Runs of algorithms: their files, and their animations.
 
+mod animations;
 mod files;
 mod steps;
