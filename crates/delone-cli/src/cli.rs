@@ -2,9 +2,9 @@
 
 use crate::exit::{self, Failure};
 use crate::{
-    check::Check, contour::Contour, convert::Convert, graph::Graph, info::Info,
-    interpolate::Interpolate, mesh::Mesh, nearest::Nearest, sample::Sample, triangle::Triangle,
-    triangulate::Triangulate, voronoi::Voronoi,
+    algorithms::Algorithms, check::Check, contour::Contour, convert::Convert, graph::Graph,
+    info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest, race::Race, sample::Sample,
+    triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -20,6 +20,7 @@ Examples:
   delone info map.poly                        do segments cross or overlap, and where? exactly
   delone check mesh.ele                       is every circle empty? exactly, from the files alone
   delone sample uniform -n 1000000 -o u.npy   a million points to play with
+  delone algorithms run sweep --svg sweep.svg   watch a classical algorithm at work, step by step
   delone convert mesh.ele mesh.vtu            the same mesh for ParaView
   delone triangle -pq30a0.1 map.poly          for scripts: Triangle's switches, Triangle's files";
 
@@ -51,6 +52,8 @@ enum Command {
     Info(Info),
     Check(Check),
     Sample(Sample),
+    Algorithms(Algorithms),
+    Race(Race),
     Convert(Convert),
     Triangle(Triangle),
 }
@@ -69,6 +72,8 @@ impl Cli {
             Command::Info(command) => command.run(self.quiet),
             Command::Check(command) => command.run(self.quiet),
             Command::Sample(command) => command.run(self.quiet),
+            Command::Algorithms(command) => command.run(self.quiet),
+            Command::Race(command) => command.run(self.quiet),
             Command::Convert(command) => command.run(self.quiet),
             Command::Triangle(command) => command.run(self.quiet),
         }

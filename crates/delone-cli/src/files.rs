@@ -100,6 +100,11 @@ impl Outputs {
         self.asides.iter().any(|(c, _)| *c == content)
     }
 
+    /// Lists the files.
+    pub fn pictures(&self) -> Vec<Target> {
+        self.files.iter().chain(&self.stream).cloned().collect()
+    }
+
     /// Lists what is written besides that has this content.
     fn asides(&self, content: Content) -> Vec<Target> {
         let matching = self.asides.iter().filter(|(c, _)| *c == content);
@@ -142,6 +147,11 @@ impl Writing {
             }
         }
         Ok(outputs)
+    }
+
+    /// Returns the longer side of pictures, in pixels.
+    pub fn size(&self) -> u32 {
+        self.size
     }
 
     /// Settles on standard output alone.

@@ -1,5 +1,6 @@
 //! The program `delone`: points and segments in, a checked triangulation and its picture out.
 
+mod algorithms;
 mod check;
 mod cli;
 mod column;
@@ -20,6 +21,7 @@ mod numbering;
 mod numbers;
 mod phases;
 mod progress;
+mod race;
 mod refinable;
 mod sample;
 mod sizing;

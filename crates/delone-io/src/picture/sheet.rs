@@ -59,12 +59,16 @@ impl Sheet {
     /// Adds a small ring.
     pub fn ring(&mut self, center: [f32; 2], radius: f32) {
         for (radius, color) in [(radius, INK), (RING * radius, PAPER)] {
-            self.shapes.push(Shape::Disc {
-                center,
-                radius,
-                color,
-            });
+            self.disc(center, radius, color);
         }
+    }
+
+    pub fn disc(&mut self, center: [f32; 2], radius: f32, color: Color) {
+        self.shapes.push(Shape::Disc {
+            center,
+            radius,
+            color,
+        });
     }
 
     pub fn area(&mut self, corners: Vec<[f32; 2]>, color: Color) {

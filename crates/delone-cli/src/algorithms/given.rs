@@ -1,0 +1,135 @@
+//! What an algorithm is given: a file, or something small to try it on.
+
+use crate::domain::Rule;
+use crate::exit::Failure;
+use crate::files::{Input as File, Outputs, Reading};
+use crate::numbering::Numbering;
+use crate::numbers::{angle, positive};
+use crate::progress::Progress;
+use crate::sample::Scene;
+use crate::words::counted;
+use delone::classic::{Algorithm, Input, Takes};
+use delone::predicates::{Orientation, orient2d};
+use delone::{Angle, DomainRule, Point, Quality, VertexId};
+use delone_io::DomainData;
+use delone_samples::Distribution;
+use std::path::PathBuf;
+
+/// Points that are taken if no file is named.
+const FEW: usize = 30;
+
+/// Options about what an algorithm works on.
+#[derive(clap::Args)]
+pub struct Given {
+    /// File of points, of a domain or, for algorithms that flip, of a mesh, or `-`; by default something
+    /// small
+    #[arg(help_heading = None)]
+    input: Option<PathBuf>,
+    /// Seed of random orders
+    #[arg(long, value_name = "SEED", default_value_t = 0, help_heading = None)]
+    seed: u64,
+    /// For `thesis`: no edge longer than this
+    #[arg(long, value_name = "LENGTH", help_heading = None, value_parser = positive,
+          allow_negative_numbers = true)]
+    max_edge: Option<f64>,
+    /// For `thesis`: no angle smaller than this, in degrees
+    #[arg(long, value_name = "DEG", help_heading = None, value_parser = angle,
+          allow_negative_numbers = true)]
+    min_angle: Option<f64>,
+    /// For algorithms on domains: which triangles to keep [default: carve for the segments of a .poly,
+    /// evenodd for polygons of GeoJSON and WKT, otherwise hull]
+    #[arg(long, value_enum, value_name = "RULE", help_heading = None)]
+    domain: Option<Rule>,
+    #[command(flatten)]
+    reading: Reading,
+}
+
+impl Given {
+    /// Reads what the algorithm takes, and says what of the rest is left unused.
+    pub fn read<'w>(
+        &self,
+        algorithm: Algorithm,
+        outputs: &Outputs,
+        progress: &'w Progress,
+    ) -> Result<(Input<'w>, Numbering), Failure> {
+        let takes = algorithm.about().takes;
+        let (mut input, usual_rule, numbering) = match &self.input {
+            Some(path) => {
+                let file = self.reading.open(path)?;
+                outputs.spare(&file.files())?;
+                self.of_file(&file, takes, progress)?
+            }
+            None if takes == Takes::Points => {
+                let points = Distribution::Uniform.points(FEW, 1);
+                let numbering = Numbering::from_base("the sample", 0);
+                (Input::from_points(points), DomainRule::Hull, numbering)
+            }
+            None => of_domain(Scene::Thesis.name(), Scene::Thesis.draw()),
+        };
+        if takes == Takes::Points && !input.pslg.segments.is_empty() {
+            let segments = counted(input.pslg.segments.len(), "segment", "segments");
+            let name = algorithm.about().name;
+            progress.note(&[format!(
+                "`{name}` works on points alone: {segments} not used"
+            )]);
+            input = Input::from_points(input.pslg.points);
+        }
+        input.seed = self.seed;
+        input.domain = self.domain.map_or(usual_rule, Into::into);
+        input.quality = self.quality(algorithm)?;
+        Ok((input, numbering))
+    }
+
+    fn of_file<'w>(
+        &self,
+        file: &File,
+        takes: Takes,
+        progress: &Progress,
+    ) -> Result<(Input<'w>, DomainRule, Numbering), Failure> {
+        if takes == Takes::Triangulation && file.brings_triangles() {
+            let mesh = file.mesh(progress)?;
+            let numbering = Numbering::from_base(&file.name(), mesh.vertices.base);
+            let mut input = Input::from_points(mesh.vertices.points);
+            input.start = counter_clockwise(mesh.triangles, &input.pslg.points);
+            input.pslg.segments = mesh.constraints.map_or_else(Vec::new, |c| c.edges);
+            return Ok((input, DomainRule::Hull, numbering));
+        }
+        let (domain, unused) = file.domain(progress)?;
+        progress.note(&unused);
+        Ok(of_domain(&file.name(), domain))
+    }
+
+    fn quality(&self, algorithm: Algorithm) -> Result<Quality, Failure> {
+        let is_bounded = self.max_edge.is_some() || self.min_angle.is_some();
+        if is_bounded && algorithm != Algorithm::Thesis {
+            let name = algorithm.about().name;
+            let idle =
+                format!("--max-edge and --min-angle are for `thesis`; `{name}` knows no bounds");
+            return Err(Failure::Usage(idle));
+        }
+        // Without any, what the thesis' own example asks for.
+        let given = |bound: Option<f64>, usual| if is_bounded { bound } else { Some(usual) };
+        Ok(Quality {
+            max_edge: given(self.max_edge, 3.0).filter(|_| algorithm == Algorithm::Thesis),
+            min_angle: given(self.min_angle, 20.0).map(Angle::degrees),
+            ..Quality::default()
+        })
+    }
+}
+
+fn of_domain<'w>(name: &str, mut domain: DomainData) -> (Input<'w>, DomainRule, Numbering) {
+    let numbering = Numbering::of(name, &domain);
+    let rule = domain.usual_rule;
+    (Input::from_pslg(domain.take_pslg()), rule, numbering)
+}
+
+/// Turns triangles counter-clockwise; a file may have them either way.
+fn counter_clockwise(mut triangles: Vec<[VertexId; 3]>, points: &[Point]) -> Vec<[VertexId; 3]> {
+    for corners in &mut triangles {
+        let [a, b, c] = corners.map(|v| points[v.index()]);
+        if orient2d(a, b, c) == Orientation::Right {
+            corners.swap(1, 2);
+        }
+    }
+    triangles
+}
