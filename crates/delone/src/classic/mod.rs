@@ -28,6 +28,7 @@ mod input;
 mod inside;
 mod joining;
 mod output;
+mod printed_sweep;
 mod segments;
 mod start;
 mod sweep;
@@ -46,13 +47,15 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
     Sweep,
+    /// The thesis' plane sweep as printed, which says where it goes wrong.
+    PrintedSweep,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Sweep, Self::Incremental];
+    pub const ALL: &[Self] = &[Self::Sweep, Self::PrintedSweep, Self::Incremental];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -64,6 +67,7 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Sweep => &sweep::ABOUT,
+            Self::PrintedSweep => &printed_sweep::ABOUT,
             Self::Incremental => &incremental::ABOUT,
         }
     }
@@ -80,11 +84,14 @@ impl Algorithm {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::TooManyPoints`]: what every builder refuses; [`Error::NotTaken`] if the
-    /// input has what this algorithm does not [take](About::takes); [`Error::Cancelled`].
+    /// input has what this algorithm does not [take](About::takes); of a domain what
+    /// [`ConstrainedDelaunay`](crate::ConstrainedDelaunay::triangulate) refuses, crossings included;
+    /// [`Error::BadTriangle`], [`Error::BadStart`] name a triangle that is wrong; [`Error::Cancelled`].
     pub fn observe(self, input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
         self.about().require_taken(input)?;
         match self {
             Self::Sweep => sweep::run(input, observer),
+            Self::PrintedSweep => printed_sweep::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
         }
     }
