@@ -8,7 +8,7 @@
 //! polygon if there are several. For who watches, the crossings of each ray are counted, in rounded numbers:
 //! O(m) for each triangle.
 
-use super::{Board, Input};
+use super::{Board, Input, ascending};
 use crate::locate::{Location, locate};
 use crate::predicates::{Orientation, orient2d};
 use crate::{DomainRule, Error, Event, HalfEdgeId, Observer, Point, Seed, TriangleId, VertexId};
@@ -217,8 +217,4 @@ pub(super) fn crosses(from: Point, [a, b]: [Point; 2]) -> bool {
     }
     let [low, high] = if a.y < b.y { [a, b] } else { [b, a] };
     orient2d(low, high, from) == Orientation::Left
-}
-
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
 }

@@ -34,7 +34,7 @@ mod start;
 mod sweep;
 
 pub use about::{About, Takes};
-use board::Board;
+use board::{Board, ascending};
 pub use input::Input;
 use input::Sites;
 pub use output::Output;

@@ -7,7 +7,7 @@
 //!
 //! *Cost*: that of a constrained Delaunay triangulation with all edges as segments.
 
-use super::{Board, Input};
+use super::{Board, Input, ascending};
 use crate::predicates::{Orientation, orient2d};
 use crate::{
     ConstrainedDelaunay, ConstrainedTriangulation, Error, Event, Observer, Pslg, TriangleId,
@@ -30,7 +30,7 @@ impl<'r, O: Observer> Board<'r, O> {
         let outside = find_outside(all.triangulation(), &input.start)?;
         let segments = 0..input.pslg.segments.len();
         let edges = segments.flat_map(|segment| all.chain(segment).windows(2));
-        let locked: BTreeSet<_> = edges.map(|e| [e[0].min(e[1]), e[0].max(e[1])]).collect();
+        let locked: BTreeSet<_> = edges.map(|e| ascending([e[0], e[1]])).collect();
         board.take(all.into_triangulation().mesh().clone(), locked, outside);
         Ok(Board::lay_out(board, input, observer))
     }

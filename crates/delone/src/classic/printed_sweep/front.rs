@@ -1,7 +1,8 @@
 //! The sweep: a front, and what points see of it.
 
-use super::{Replay, ascending, sides};
+use super::{Replay, sides};
 use crate::Failure;
+use crate::classic::ascending;
 use crate::predicates::{cross_properly, is_between};
 use crate::{Error, Event, Observer, Point, Stage, VertexId};
 use std::ops::RangeInclusive;

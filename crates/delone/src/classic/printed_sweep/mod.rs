@@ -22,7 +22,7 @@ mod front;
 mod tests;
 
 use super::sweep::helper_places;
-use super::{About, Board, Input, Output, Takes};
+use super::{About, Board, Input, Output, Takes, ascending};
 use crate::Failure;
 use crate::pslg::input::check;
 use crate::{DomainRule, Error, Event, Observer, Point, VertexId};
@@ -142,10 +142,6 @@ impl<'r, O: Observer> Replay<'r, O> {
             ..self.board.finish()
         }
     }
-}
-
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// Returns the sides of a triangle, smaller end first.
