@@ -477,6 +477,7 @@ fn is_finite<const N: usize>(corners: &[VertexId; N]) -> bool {
     !corners.iter().any(|v| v.is_infinite())
 }
 
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
+/// Names an edge by its ends, the smaller one first.
+pub(super) fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
     [a.min(b), a.max(b)]
 }

@@ -8,10 +8,9 @@
 //! polygon if there are several. For who watches, the crossings of each ray are counted, in rounded numbers:
 //! O(m) for each triangle.
 
-use super::{Board, Input};
+use super::{Board, Input, ascending};
 use crate::locate::{Location, locate};
 use crate::predicates::{Orientation, orient2d};
-use crate::pslg::input::require_closed;
 use crate::{DomainRule, Error, Event, HalfEdgeId, Observer, Point, Seed, TriangleId, VertexId};
 use std::collections::BTreeMap;
 
@@ -27,19 +26,17 @@ pub(super) struct Lines {
 /// How often segments run along an edge, smaller end first.
 type Uses = BTreeMap<[VertexId; 2], usize>;
 
-/// Carves away what the input's rule and holes say; `chains` holds the vertices along each segment.
+/// Carves away what the input's rule and holes say; `chains` holds the vertices along each segment. Polygons must
+/// be closed.
 ///
 /// # Errors
-/// [`Error::OpenPolygon`], [`Error::SeedOnSegment`].
+/// [`Error::SeedOnSegment`].
 pub(super) fn carve<O: Observer>(
     board: &mut Board<O>,
     input: &Input,
     chains: &[Vec<VertexId>],
     lines: Lines,
 ) -> Result<(), Error> {
-    if input.domain == DomainRule::EvenOdd {
-        require_closed(&input.pslg)?;
-    }
     let mut outside = outside(board, input, chains);
     carve_holes(board, &input.pslg.holes, chains, &mut outside)?;
     if input.domain == DomainRule::Hull && input.pslg.holes.is_empty() {
@@ -133,42 +130,42 @@ fn carve_holes<O: Observer>(
         return Ok(());
     }
     for (i, &at) in holes.iter().enumerate() {
-        let on = |h| on_segment(board, Seed::Hole(i), at, h, chains);
-        let start = match locate(mesh, board.points(), HalfEdgeId::new(0), at) {
-            Location::Face(t) => t,
-            Location::Edge(h) if board.is_locked(h) => return Err(on(h)),
-            Location::Edge(h) => h.triangle(),
+        let around: Vec<_> = match locate(mesh, board.points(), HalfEdgeId::new(0), at) {
+            Location::Face(t) => {
+                flood(board, t, outside);
+                continue;
+            }
+            Location::Edge(h) => vec![h, mesh.twin(h)],
             Location::Vertex(v) => {
                 let spoke = mesh.half_edges().find(|&h| mesh.origin(h) == v);
                 let spoke = spoke.expect("bug: a vertex without star");
-                if let Some(h) = mesh.star(spoke).find(|&h| board.is_locked(h)) {
-                    return Err(on(h));
-                }
-                spoke.triangle()
+                mesh.star(spoke).collect()
             }
             _ => continue,
         };
-        flood(board, start, outside);
+        if let Some(segment) = first_along(board, &around, chains) {
+            let seed = Seed::Hole(i);
+            return Err(Error::SeedOnSegment { seed, at, segment });
+        }
+        let mut faces = around.iter().map(|h| h.triangle());
+        if let Some(t) = faces.find(|&t| !mesh.is_ghost(t)) {
+            flood(board, t, outside);
+        }
     }
     Ok(())
 }
 
-/// Says on which segment a seed lies: the first along the edge of `h`.
-fn on_segment<O: Observer>(
+/// Finds the first segment along some edges.
+fn first_along<O: Observer>(
     board: &Board<O>,
-    seed: Seed,
-    at: Point,
-    h: HalfEdgeId,
+    edges: &[HalfEdgeId],
     chains: &[Vec<VertexId>],
-) -> Error {
-    let edge = ascending(board.ends(h));
-    let runs_along = |chain: &Vec<VertexId>| {
-        let mut edges = chain.windows(2);
-        edges.any(|pair| ascending([pair[0], pair[1]]) == edge)
-    };
-    let segment = chains.iter().position(runs_along);
-    let segment = segment.expect("bug: a constraint without segment");
-    Error::SeedOnSegment { seed, at, segment }
+) -> Option<usize> {
+    let locked = edges.iter().filter(|&&h| board.is_locked(h));
+    let locked: Vec<_> = locked.map(|&h| ascending(board.ends(h))).collect();
+    let is_locked = |pair: &[VertexId]| locked.contains(&ascending([pair[0], pair[1]]));
+    let mut all = 0..chains.len();
+    all.find(|&segment| !locked.is_empty() && chains[segment].windows(2).any(is_locked))
 }
 
 /// Marks the faces that no constraint separates from `start`, as far as they are not outside anyway.
@@ -206,21 +203,18 @@ fn tell_tests<O: Observer>(board: &mut Board<O>, chains: &[Vec<VertexId>], outsi
     }
 }
 
-fn centroid([a, b, c]: [Point; 3]) -> Point {
+/// Returns the centroid of a triangle, rounded.
+pub(super) fn centroid([a, b, c]: [Point; 3]) -> Point {
     let third = |a: f64, b: f64, c: f64| a / 3.0 + b / 3.0 + c / 3.0;
     Point::new(third(a.x, b.x, c.x), third(a.y, b.y, c.y))
 }
 
 /// Tells whether the horizontal ray from `from` to the right crosses an edge: exactly one of its ends lies
 /// strictly above.
-fn crosses(from: Point, [a, b]: [Point; 2]) -> bool {
+pub(super) fn crosses(from: Point, [a, b]: [Point; 2]) -> bool {
     if (a.y > from.y) == (b.y > from.y) {
         return false;
     }
     let [low, high] = if a.y < b.y { [a, b] } else { [b, a] };
     orient2d(low, high, from) == Orientation::Left
-}
-
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
 }

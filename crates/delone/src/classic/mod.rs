@@ -1,7 +1,7 @@
 //! The classical algorithms, faithful to their texts, one file each, and every step observable.
 //!
 //! They are here to be studied, watched and compared; [`triangulate`](crate::triangulate) is faster than any
-//! of them. All work on one half-edge mesh ([`Board`]), all decisions are exact, and ties are broken by the
+//! of them. All work on one half-edge mesh, all decisions are exact, and ties are broken by the
 //! canonical perturbation: so all that claim a Delaunay triangulation end in the same one.
 //!
 //! - [`Algorithm`]: their list; [`About`]: source, idea, cost, guarantees, pseudocode.
@@ -36,6 +36,7 @@ mod input;
 mod inside;
 mod joining;
 mod output;
+mod printed_sweep;
 mod segments;
 mod start;
 mod sweep;
@@ -45,7 +46,7 @@ mod thesis;
 
 pub use crate::tables::EdgeTables;
 pub use about::{About, Takes};
-use board::Board;
+use board::{Board, ascending};
 pub use input::Input;
 use input::Sites;
 pub use output::Output;
@@ -58,6 +59,8 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
     Sweep,
+    /// The thesis' sweep as it is printed, which says where it fails.
+    PrintedSweep,
     /// The thesis' flips: the marked edge of lowest number first.
     EdgeFlip,
     /// The thesis' refinement: longest edges, then skinniest triangles.
@@ -82,6 +85,7 @@ impl Algorithm {
     /// All of them, by source.
     pub const ALL: &[Self] = &[
         Self::Sweep,
+        Self::PrintedSweep,
         Self::EdgeFlip,
         Self::Thesis,
         Self::Incremental,
@@ -103,6 +107,7 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Sweep => &sweep::ABOUT,
+            Self::PrintedSweep => &printed_sweep::ABOUT,
             Self::EdgeFlip => &edge_flip::ABOUT,
             Self::Thesis => &thesis::ABOUT,
             Self::Incremental => &incremental::ABOUT,
@@ -127,7 +132,9 @@ impl Algorithm {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::TooManyPoints`]: what every builder refuses; [`Error::NotTaken`] if the
-    /// input has what this algorithm does not [take](About::takes); [`Error::Cancelled`].
+    /// input has what this algorithm does not [take](About::takes); of a domain what
+    /// [`ConstrainedDelaunay`](crate::ConstrainedDelaunay::triangulate) refuses, crossings included;
+    /// [`Error::BadTriangle`], [`Error::BadStart`] name a triangle that is wrong; [`Error::Cancelled`].
     pub fn observe(
         self,
         input: &Input,
@@ -136,6 +143,7 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Sweep => sweep::run(input, observer),
+            Self::PrintedSweep => printed_sweep::run(input, observer),
             Self::EdgeFlip => edge_flip::run(input, observer),
             Self::Thesis => thesis::run(input, observer),
             Self::Incremental => incremental::run(input, observer),

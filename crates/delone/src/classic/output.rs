@@ -1,6 +1,6 @@
 //! What an algorithm hands out.
 
-use crate::{Duplicate, Point, TriangulationHash, VertexId, hash_triangles};
+use crate::{Duplicate, Failure, Point, TriangulationHash, VertexId, hash_triangles};
 
 /// Triangles, over the points of the input and those that were added.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Output {
     pub constrained: Vec<[VertexId; 2]>,
     /// The convex hull, counter-clockwise, if the algorithm finds that and no triangles.
     pub hull: Vec<VertexId>,
+    /// What goes wrong, if the algorithm is replayed as it was printed.
+    pub failures: Vec<Failure>,
     /// Points that equal an earlier one, which stands for them.
     pub duplicates: Vec<Duplicate>,
 }

@@ -14,13 +14,13 @@
 //!
 //! *Why it ends*: while edges cross there is a left vertex that sticks out, the one that is farthest from
 //! the segment. Of the ends x of its fan, the one farthest from the segment has a strictly convex
-//! quadrilateral around its edge, so it can be flipped. The vertices left are cut off one after the other.
-//! Flipping what comes, and trying again what cannot be flipped yet (Sloan, *A fast algorithm for generating
-//! constrained Delaunay triangulations*, 1993), needs fewer lines but no such order.
+//! quadrilateral around its edge, so it can be flipped. So the vertices on the left are cut off one after the
+//! other. Sloan (*A fast algorithm for generating constrained Delaunay triangulations*, 1993) flips whatever
+//! comes, and tries again later what cannot be flipped yet; why that ends is less clear.
 //!
 //! *Cost*: at worst k² flips for k crossing edges, in practice a few for each; no recursion.
 
-use super::{Board, Input};
+use super::{Board, Input, ascending};
 use crate::observe::{Item, Queue};
 use crate::predicates::Orientation;
 use crate::{ConstrainedDelaunay, Error, Event, HalfEdgeId, Observer, Pslg, VertexId};
@@ -267,6 +267,7 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
         let mut flipped = fans[start];
         let mut at = start;
         while start < end {
+            debug_assert!(at < end, "bug: no edge of a fan can be flipped");
             let h = fans[at];
             if !self.is_convex(h) {
                 at += 1;
@@ -325,8 +326,8 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
 
     /// Tells that an edge begins to wait, or ends.
     fn tell_waiting(&mut self, h: HalfEdgeId, is_pushed: bool) {
-        let [a, b] = self.board.ends(h);
-        let (queue, item) = (Queue::Crossings, Item::Edge([a.min(b), a.max(b)]));
+        let edge = ascending(self.board.ends(h));
+        let (queue, item) = (Queue::Crossings, Item::Edge(edge));
         self.board.tell(|| match is_pushed {
             true => Event::Pushed { queue, item },
             false => Event::Popped { queue, item },

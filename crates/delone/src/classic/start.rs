@@ -7,7 +7,7 @@
 //!
 //! *Cost*: that of a constrained Delaunay triangulation with all edges as segments.
 
-use super::{Board, Input};
+use super::{Board, Input, ascending};
 use crate::predicates::{Orientation, orient2d};
 use crate::{
     ConstrainedDelaunay, ConstrainedTriangulation, Error, Event, Observer, Pslg, TriangleId,
@@ -29,7 +29,7 @@ impl<'r, O: Observer> Board<'r, O> {
         let outside = find_outside(all.triangulation(), &input.start)?;
         let segments = 0..input.pslg.segments.len();
         let edges = segments.flat_map(|segment| all.chain(segment).windows(2));
-        let locked: BTreeSet<_> = edges.map(|e| [e[0].min(e[1]), e[0].max(e[1])]).collect();
+        let locked: BTreeSet<_> = edges.map(|e| ascending([e[0], e[1]])).collect();
         board.take(all.into_triangulation().mesh().clone(), locked, outside);
         Ok(Board::lay_out(board, input, observer))
     }
@@ -196,17 +196,11 @@ mod tests {
 
     #[test]
     fn an_edge_between_domain_and_carved_faces_can_be_split() {
-        let mut input = input(&NOTCHED, &AROUND_THE_NOTCH);
-        input.pslg.points.push(Point::new(3.0, 2.5));
+        let input = input(&NOTCHED, &AROUND_THE_NOTCH);
         let mut log = Log::new("start", input.pslg.points.clone());
         let mut board = Board::from_triangles(&input, &mut log).expect("a triangulation");
-        let [a, b, v] = [2, 3, 6].map(VertexId::new);
+        let [a, b] = [2, 3].map(VertexId::new);
         let h = board.mesh().half_edges().find(|&h| board.ends(h) == [a, b]);
-        let corners = board.mesh().faces().as_flattened();
-        assert!(
-            corners.contains(&v),
-            "the loose point is a vertex of carved faces"
-        );
         let h = h.expect("an edge of the notch");
         assert!(board.is_inside(h.triangle()) && board.is_visible(h));
         let w = board.create_vertex(Point::new(3.0, 2.5)).expect("room");
@@ -249,7 +243,7 @@ mod tests {
     #[test]
     fn a_sweep_is_laid_out_with_its_segments() {
         let mut input = input(&NOTCHED, &[]);
-        input.pslg.add_ring([0u32, 1, 2, 3, 4]);
+        input.pslg.add_ring([0, 1, 2, 3, 4]);
         input.domain = crate::DomainRule::Carve;
         let mut log = Log::new("lay out", input.pslg.points.clone());
         let output = sweep::lay_out(&input, &mut log).expect("a domain").finish();

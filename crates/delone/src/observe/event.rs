@@ -337,6 +337,8 @@ pub enum Failure {
     SeesSeveralRuns(VertexId),
     /// A segment is no edge in the end.
     SegmentLost([VertexId; 2]),
+    /// A triangle is clockwise, and there is no room to turn it: it lies upon others, and is left out.
+    Overlaps([VertexId; 3]),
 }
 
 /// A part of an algorithm's work.

@@ -2,7 +2,10 @@
 
 mod chapter;
 mod edge_flip;
+mod polygons;
+mod printed_sweep;
 mod scene;
 mod suite;
+mod sweep;
 mod sweeps;
 mod thesis;

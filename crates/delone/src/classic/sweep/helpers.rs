@@ -22,7 +22,7 @@ pub(super) fn place<O: Observer>(
 
 /// Computes where helper points lie: (x₀ − 1, 2y₀ − y₁) and (x₀ − 1, 2y₁ − y₀), if abscissas begin at x₀ and
 /// ordinates lie between y₀ and y₁.
-pub(super) fn places(points: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
+pub(in crate::classic) fn places(points: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
     let all = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY];
     let [x, low, high] = points.fold(all, |[x, low, high], p| {
         [x.min(p.x), low.min(p.y), high.max(p.y)]

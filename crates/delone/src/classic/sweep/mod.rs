@@ -25,18 +25,20 @@
 mod front;
 mod helpers;
 
+pub(super) use helpers::places as helper_places;
+
 use super::inside::{self, carve};
 use super::segments::{self, insert_all};
 use super::{About, Board, Input, Output, Takes};
 use crate::predicates::Orientation;
-use crate::pslg::input::check;
-use crate::{Error, Event, Observer, Stage};
+use crate::pslg::input::{check, require_closed};
+use crate::{DomainRule, Error, Event, Observer, Stage};
 
 /// What there is to say of it.
 pub(super) const ABOUT: About = About {
     name: "sweep",
     title: "plane sweep, segments inserted afterwards",
-    source: "Thesis on refinement, Ulm 2012, programs 1.4 to 1.7; corrected",
+    source: "Thesis on refinement, Ulm 2012, programs 1.3 to 1.8; corrected",
     idea: "Join each point, from left to right, to what it sees of the convex front; then insert the \
            segments by flips, and remove what lies outside.",
     cost: "O(n log n), and O(k²) at worst for a segment that crosses k edges",
@@ -91,6 +93,9 @@ fn triangulate<'r, O: Observer>(
 ) -> Result<Board<'r, O>, Error> {
     check(&input.pslg)?;
     let (mut board, mut order) = Board::new(input, observer)?;
+    if input.domain == DomainRule::EvenOdd {
+        require_closed(&input.pslg)?;
+    }
     board.at(1);
     let helpers = helpers::place(&mut board, &order)?;
     board.at(2);
