@@ -11,6 +11,9 @@ use delone_testkit::generate::Random;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+/// The line of pseudocode that returns to the mesh saved.
+const RETURN: u16 = 16;
+
 /// All events of a run.
 fn observed(refinement: Refinement, pslg: Pslg) -> (RefinedMesh, Log) {
     let mut log = Log::new("thesis", pslg.points.clone());
@@ -35,6 +38,12 @@ fn assert_played(log: &Log, mesh: &ConstrainedTriangulation) {
     assert!(mesh.constrained_edges().all(|edge| scene.is_locked(edge)));
     let locked = scene.edges().filter(|&edge| scene.is_locked(edge));
     assert_eq!(locked.count(), mesh.constrained_edges().count());
+    // Only what is taken back is mended at once: all else was told step by step.
+    let is_back = log
+        .steps
+        .iter()
+        .any(|step| matches!(step.event, Event::TakenBack { .. }));
+    assert!(is_back || log.steps.iter().all(|step| step.line != RETURN));
     for step in log.steps.iter().rev() {
         scene.revert(step.event).expect("every step fits backwards");
     }
