@@ -11,6 +11,9 @@ use delone_testkit::generate::Random;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+/// The line of pseudocode that returns to the mesh saved.
+const RETURN: u16 = 16;
+
 /// All events of a run.
 fn observed(refinement: Refinement, pslg: Pslg) -> (RefinedMesh, Log) {
     let mut log = Log::new("thesis", pslg.points.clone());
@@ -35,6 +38,12 @@ fn assert_played(log: &Log, mesh: &ConstrainedTriangulation) {
     assert!(mesh.constrained_edges().all(|edge| scene.is_locked(edge)));
     let locked = scene.edges().filter(|&edge| scene.is_locked(edge));
     assert_eq!(locked.count(), mesh.constrained_edges().count());
+    // Only what is taken back is mended at once: all else was told step by step.
+    let is_back = log
+        .steps
+        .iter()
+        .any(|step| matches!(step.event, Event::TakenBack { .. }));
+    assert!(is_back || log.steps.iter().all(|step| step.line != RETURN));
     for step in log.steps.iter().rev() {
         scene.revert(step.event).expect("every step fits backwards");
     }
@@ -271,9 +280,10 @@ fn budgets_end_it_with_a_valid_mesh() {
             vertices: Some(vertices),
             ..Budget::default()
         };
-        let refined = refinement.budget(budget).mesh(thesis_domain());
-        let RefinedMesh { mesh, report, .. } = refined.unwrap();
+        let (refined, log) = observed(refinement.budget(budget), thesis_domain());
+        let RefinedMesh { mesh, report, .. } = refined;
         assert_valid(&mesh);
+        assert_played(&log, &mesh);
         assert_eq!(report.outcome, Outcome::BudgetExhausted);
         assert_eq!(mesh.triangulation().points().len(), vertices.max(9));
         assert!(report.unmet.iter().any(|u| u.broken.edge));
@@ -321,9 +331,10 @@ fn the_scale_does_not_matter() {
         for p in &mut pslg.points {
             *p = Point::new(p.x * scale, p.y * scale);
         }
-        let RefinedMesh { mesh, report, .. } =
-            thesis(quality(25.0, 0.5 * scale)).mesh(pslg).unwrap();
+        let (refined, log) = observed(thesis(quality(25.0, 0.5 * scale)), pslg);
+        let RefinedMesh { mesh, report, .. } = refined;
         assert_valid(&mesh);
+        assert_played(&log, &mesh);
         let points = mesh.triangulation().points().iter();
         let points: Vec<_> = points.map(|p| [p.x / scale, p.y / scale]).collect();
         (
@@ -346,8 +357,9 @@ fn precision_ends_it_with_a_valid_mesh() {
     let mut tiny = Pslg::from_points([(a, a), (b, a), (b, b), (a, b)]);
     tiny.add_ring([0, 1, 2, 3]);
     for max_edge in [f64::EPSILON / 4.0, 1e-300] {
-        let refined = thesis(quality(30.0, max_edge)).mesh(tiny.clone()).unwrap();
+        let (refined, log) = observed(thesis(quality(30.0, max_edge)), tiny.clone());
         assert_valid(&refined.mesh);
+        assert_played(&log, &refined.mesh);
         assert_eq!(refined.report.outcome, Outcome::PrecisionLimit);
     }
 }

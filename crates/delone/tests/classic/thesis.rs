@@ -155,6 +155,9 @@ proptest! {
         let builder = delone::ConstrainedDelaunay::new().domain(DomainRule::EvenOdd);
         let again = builder.triangulate(again).expect("planar");
         prop_assert_eq!(output.hash(), again.triangulation().hash());
+        // Unless the mesh saved is returned, each step was told by itself.
+        let is_back = log.steps.iter().any(|step| matches!(step.event, Event::TakenBack { .. }));
+        prop_assert!(is_back || log.steps.iter().all(|step| step.line != 16));
         let scene = log.last_scene().expect("played before");
         prop_assert!(output.constrained.iter().all(|&edge| scene.is_locked(edge)));
         prop_assert!(scene.queue(delone::Queue::Suspects).next().is_none());

@@ -223,14 +223,18 @@ impl Run<'_> {
         let added = &progress.steiner.points;
         let points = [self.start.triangulation().points(), added].concat();
         let kept = mesh.triangulation().points().len();
-        if kept < points.len() {
+        // If the segments were never all divided, there has been no mesh to see.
+        let is_taken_back = kept < points.len();
+        let line = match is_taken_back || progress.shown.has_triangles() {
+            true => code::RETURN,
+            false => code::MESH,
+        };
+        if is_taken_back {
             let from = VertexId::new(kept);
-            observer.tell(code::RETURN, || Event::TakenBack { from });
+            observer.tell(line, || Event::TakenBack { from });
         }
         let to = Picture::of_mesh(mesh);
-        progress
-            .shown
-            .turn_into(to, &points, code::RETURN, observer);
+        progress.shown.turn_into(to, &points, line, observer);
     }
 
     fn mesh(

@@ -65,6 +65,11 @@ impl Picture {
         self
     }
 
+    /// Tells whether there is a triangle.
+    pub fn has_triangles(&self) -> bool {
+        !self.triangles.is_empty()
+    }
+
     /// Turns this picture into another, and tells of all that changes; `points` are those of both.
     pub fn turn_into(
         &mut self,
