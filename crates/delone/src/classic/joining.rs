@@ -62,9 +62,11 @@ impl<O: Observer> Board<'_, O> {
     }
 
     /// Makes every edge locally Delaunay again after `v` was joined: examines the edges opposite to it, and
-    /// where one is flipped the two beyond. The last one that was added is examined first.
+    /// where one is flipped the two beyond. The last one that was added is examined first, so the order is
+    /// that of a recursion: counter-clockwise around `v`.
     pub fn restore(&mut self, link: Vec<HalfEdgeId>, lines: Restoring) {
         let mut suspects = link;
+        suspects.reverse();
         self.at(lines.push);
         for &h in &suspects {
             self.tell_suspect(h, true);
@@ -79,7 +81,7 @@ impl<O: Observer> Board<'_, O> {
             let twin = self.mesh().twin(h);
             self.at(lines.flip);
             self.flip(h);
-            for suspect in [h, twin.prev()] {
+            for suspect in [twin.prev(), h] {
                 self.tell_suspect(suspect, true);
                 suspects.push(suspect);
             }
@@ -87,7 +89,7 @@ impl<O: Observer> Board<'_, O> {
     }
 
     /// Tells that an edge begins to wait, or ends.
-    fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
+    pub fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
         let [a, b] = self.ends(h);
         if a.is_infinite() || b.is_infinite() {
             return;

@@ -23,17 +23,26 @@
 
 mod about;
 mod board;
+mod bounding;
+mod conflicts;
+mod flip_list;
+mod greedy_flips;
 mod incremental;
 mod input;
 mod inside;
 mod joining;
+mod opening;
 mod output;
+mod random_incremental;
+mod searching;
+mod segment_walk;
 mod segments;
 mod start;
 mod sweep;
 
 pub use about::{About, Takes};
 use board::Board;
+pub use bounding::{bounding_triangle, printed_bounding_triangle};
 pub use input::Input;
 use input::Sites;
 pub use output::Output;
@@ -46,13 +55,28 @@ use crate::{Error, Observer};
 pub enum Algorithm {
     /// The thesis' plane sweep, corrected: segments inserted, what lies outside of the domain removed.
     Sweep,
+    /// The slides' program: walk along the segment from the last point, open triangles with a stack.
+    SegmentWalk,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
+    /// The same in a random order, which [`Input::seed`] names.
+    RandomIncremental,
+    /// The lecture's greedy flips: search for an edge that is not locally Delaunay, flip it, search anew.
+    GreedyFlips,
+    /// The same with a list of the edges in doubt.
+    FlipList,
 }
 
 impl Algorithm {
     /// All of them, by source.
-    pub const ALL: &[Self] = &[Self::Sweep, Self::Incremental];
+    pub const ALL: &[Self] = &[
+        Self::Sweep,
+        Self::SegmentWalk,
+        Self::Incremental,
+        Self::RandomIncremental,
+        Self::GreedyFlips,
+        Self::FlipList,
+    ];
 
     /// Finds an algorithm by its [name](About::name).
     pub fn named(name: &str) -> Option<Self> {
@@ -64,7 +88,11 @@ impl Algorithm {
     pub fn about(self) -> &'static About {
         match self {
             Self::Sweep => &sweep::ABOUT,
+            Self::SegmentWalk => &segment_walk::ABOUT,
             Self::Incremental => &incremental::ABOUT,
+            Self::RandomIncremental => &random_incremental::ABOUT,
+            Self::GreedyFlips => &greedy_flips::ABOUT,
+            Self::FlipList => &flip_list::ABOUT,
         }
     }
 
@@ -85,7 +113,11 @@ impl Algorithm {
         self.about().require_taken(input)?;
         match self {
             Self::Sweep => sweep::run(input, observer),
+            Self::SegmentWalk => segment_walk::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
+            Self::RandomIncremental => random_incremental::run(input, observer),
+            Self::GreedyFlips => greedy_flips::run(input, observer),
+            Self::FlipList => flip_list::run(input, observer),
         }
     }
 }

@@ -22,7 +22,6 @@ impl<'r, O: Observer> Board<'r, O> {
     /// # Errors
     /// [`Error::BadTriangle`], [`Error::BadStart`] name the triangle; [`Error::BadSegment`],
     /// [`Error::Crossing`] what is wrong with segments; and what every builder refuses.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the algorithms that flip"))]
     pub fn from_triangles(input: &Input<'r>, observer: &'r mut O) -> Result<Self, Error> {
         let mut nobody = ();
         let (mut board, _) = Board::new(input, &mut nobody)?;

@@ -75,7 +75,6 @@ pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output,
 ///
 /// # Errors
 /// As [`run`].
-#[cfg_attr(not(test), expect(dead_code, reason = "for the algorithms that flip"))]
 pub(super) fn lay_out<'r, O: Observer>(
     input: &Input<'r>,
     observer: &'r mut O,
