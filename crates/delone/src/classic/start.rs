@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn a_sweep_is_laid_out_with_its_segments() {
         let mut input = input(&NOTCHED, &[]);
-        input.pslg.add_ring([0usize, 1, 2, 3, 4]);
+        input.pslg.add_ring([0, 1, 2, 3, 4]);
         input.domain = crate::DomainRule::Carve;
         let mut log = Log::new("lay out", input.pslg.points.clone());
         let output = sweep::lay_out(&input, &mut log).expect("a domain").finish();

@@ -43,10 +43,10 @@ pub fn all_triangulations(points: &[Point]) -> Vec<Small<'_>> {
     let mut next = 0;
     while next < all.len() {
         for edge in all[next].edges() {
-            if let Some(t) = all[next].flipped(edge) {
-                if seen.insert(t.triangles.clone()) {
-                    all.push(t);
-                }
+            if let Some(t) = all[next].flipped(edge)
+                && seen.insert(t.triangles.clone())
+            {
+                all.push(t);
             }
         }
         next += 1;
