@@ -1,7 +1,7 @@
 //! The classical algorithms, faithful to their texts, one file each, and every step observable.
 //!
 //! They are here to be studied, watched and compared; [`triangulate`](crate::triangulate) is faster than any
-//! of them. All work on one half-edge mesh ([`Board`]), all decisions are exact, and ties are broken by the
+//! of them. All work on one half-edge mesh, all decisions are exact, and ties are broken by the
 //! canonical perturbation: so all that claim a Delaunay triangulation end in the same one.
 //!
 //! - [`Algorithm`]: their list; [`About`]: source, idea, cost, guarantees, pseudocode.
