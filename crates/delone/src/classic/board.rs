@@ -117,6 +117,17 @@ impl<'r, O: Observer> Board<'r, O> {
         &self.mesh
     }
 
+    /// Returns the mesh, for edits that nobody is told of: who makes them tells what is seen of them.
+    #[inline]
+    pub fn mesh_mut(&mut self) -> &mut Mesh {
+        &mut self.mesh
+    }
+
+    /// Tells whether [conflicts](Event::ConflictsCounted) are to be counted.
+    pub fn wants_conflicts(&self) -> bool {
+        self.observer.wants_conflicts()
+    }
+
     /// Returns where all vertices lie.
     pub fn points(&self) -> &[Point] {
         &self.points

@@ -25,9 +25,15 @@ impl<O: Observer> Board<'_, O> {
     }
 
     /// Joins `v`, which sees the hull edge of `h` (a half-edge of a ghost), to the boundary between two
-    /// vertices, counter-clockwise: what it sees has been found before.
-    pub fn join_chain(&mut self, h: HalfEdgeId, v: VertexId, [first, last]: [VertexId; 2]) {
-        self.fan(h, v, |_, [a, b]| a != first && b != last);
+    /// vertices, counter-clockwise: what it sees has been found before. Returns the half-edges opposite to
+    /// it, counter-clockwise.
+    pub fn join_chain(
+        &mut self,
+        h: HalfEdgeId,
+        v: VertexId,
+        [first, last]: [VertexId; 2],
+    ) -> Vec<HalfEdgeId> {
+        self.fan(h, v, |_, [a, b]| a != first && b != last)
     }
 
     /// Joins `v`, which sees the hull edge of `h` (a half-edge of a ghost), to all hull edges that it sees.
@@ -84,22 +90,22 @@ impl<O: Observer> Board<'_, O> {
         })
     }
 
-    /// Lays a row of collinear vertices, sorted along their line.
+    /// Lays vertices on one line, in their order, into a row.
     pub fn lay_row(&mut self, row: &[VertexId]) {
         let [a, b, rest @ ..] = row else { return };
-        self.seed(*a, *b);
-        let mut end = *b;
+        let mut end = self.seed(*a, *b).next();
         for &v in rest {
-            let outwards = self.edge([end, VertexId::INFINITE]);
-            self.open_edge(outwards.expect("bug: the end of a row is on the hull"), v);
-            end = v;
+            let [link, _] = self.open_edge(end, v);
+            end = link.prev();
         }
     }
 
     /// Makes every edge locally Delaunay again after `v` was joined: examines the edges opposite to it, and
-    /// where one is flipped the two beyond. The last one that was added is examined first.
+    /// where one is flipped the two beyond. The last one that was added is examined first, so the order is
+    /// that of a recursion: counter-clockwise around `v`.
     pub fn restore(&mut self, link: Vec<HalfEdgeId>, lines: Restoring) {
         let mut suspects = link;
+        suspects.reverse();
         self.at(lines.push);
         for &h in &suspects {
             self.tell_suspect(h, true);
@@ -114,7 +120,7 @@ impl<O: Observer> Board<'_, O> {
             let twin = self.mesh().twin(h);
             self.at(lines.flip);
             self.flip(h);
-            for suspect in [h, twin.prev()] {
+            for suspect in [twin.prev(), h] {
                 self.tell_suspect(suspect, true);
                 suspects.push(suspect);
             }
@@ -122,7 +128,7 @@ impl<O: Observer> Board<'_, O> {
     }
 
     /// Tells that an edge begins to wait, or ends.
-    fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
+    pub fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
         let [a, b] = self.ends(h);
         if a.is_infinite() || b.is_infinite() {
             return;

@@ -25,18 +25,26 @@
 mod about;
 mod adopting;
 mod board;
+mod bounding;
 mod bowyer_watson;
 mod cline_renka;
+mod conflicts;
 mod convex_hull;
 mod divide;
 mod edge_flip;
+mod flip_list;
 mod fortune;
+mod greedy_flips;
 mod incremental;
 mod input;
 mod inside;
 mod joining;
+mod opening;
 mod output;
 mod printed_sweep;
+mod random_incremental;
+mod searching;
+mod segment_walk;
 mod segments;
 mod start;
 mod sweep;
@@ -47,6 +55,7 @@ mod thesis;
 pub use crate::tables::EdgeTables;
 pub use about::{About, Takes};
 use board::{Board, ascending};
+pub use bounding::{bounding_triangle, printed_bounding_triangle};
 pub use input::Input;
 use input::Sites;
 pub use output::Output;
@@ -65,8 +74,16 @@ pub enum Algorithm {
     EdgeFlip,
     /// The thesis' refinement: longest edges, then skinniest triangles.
     Thesis,
+    /// The slides' insertion: a walk along the segment from the vertex before, and a stack.
+    SegmentWalk,
+    /// The lecture's greedy flips, as stated: a search for every flip.
+    GreedyFlips,
+    /// The lecture's greedy flips with a list of suspects.
+    FlipList,
     /// The lecture's incremental construction, points in the given order.
     Incremental,
+    /// The lecture's incremental construction, points in random order.
+    RandomIncremental,
     /// The chapter's convex hull.
     ConvexHull,
     /// The chapter's triangulation, after Cline and Renka.
@@ -88,7 +105,11 @@ impl Algorithm {
         Self::PrintedSweep,
         Self::EdgeFlip,
         Self::Thesis,
+        Self::SegmentWalk,
+        Self::GreedyFlips,
+        Self::FlipList,
         Self::Incremental,
+        Self::RandomIncremental,
         Self::ConvexHull,
         Self::ClineRenka,
         Self::BowyerWatson,
@@ -110,7 +131,11 @@ impl Algorithm {
             Self::PrintedSweep => &printed_sweep::ABOUT,
             Self::EdgeFlip => &edge_flip::ABOUT,
             Self::Thesis => &thesis::ABOUT,
+            Self::SegmentWalk => &segment_walk::ABOUT,
+            Self::GreedyFlips => &greedy_flips::ABOUT,
+            Self::FlipList => &flip_list::ABOUT,
             Self::Incremental => &incremental::ABOUT,
+            Self::RandomIncremental => &random_incremental::ABOUT,
             Self::ConvexHull => &convex_hull::ABOUT,
             Self::ClineRenka => &cline_renka::ABOUT,
             Self::BowyerWatson => &bowyer_watson::ABOUT,
@@ -146,7 +171,11 @@ impl Algorithm {
             Self::PrintedSweep => printed_sweep::run(input, observer),
             Self::EdgeFlip => edge_flip::run(input, observer),
             Self::Thesis => thesis::run(input, observer),
+            Self::SegmentWalk => segment_walk::run(input, observer),
+            Self::GreedyFlips => greedy_flips::run(input, observer),
+            Self::FlipList => flip_list::run(input, observer),
             Self::Incremental => incremental::run(input, observer),
+            Self::RandomIncremental => random_incremental::run(input, observer),
             Self::ConvexHull => convex_hull::run(input, observer),
             Self::ClineRenka => cline_renka::run(input, observer),
             Self::BowyerWatson => bowyer_watson::run(input, observer),

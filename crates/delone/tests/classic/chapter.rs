@@ -69,7 +69,7 @@ fn the_hull_lists_every_point_on_it_counter_clockwise_from_the_rightmost() {
 /// its result.
 #[test]
 fn example_3_18() {
-    let text = include_str!("../data/classic/001-printed-traces.json");
+    let text = include_str!("../data/chapter/001-printed-traces.json");
     let example: serde_json::Value = serde_json::from_str(text).expect("JSON");
     let example = &example["ex3_18_hull"];
     let list = |name: &str| -> Vec<usize> {

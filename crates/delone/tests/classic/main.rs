@@ -2,9 +2,14 @@
 
 mod chapter;
 mod edge_flip;
+mod facts;
+mod flips;
+mod insertion;
+mod lecture;
 mod polygons;
 mod printed_sweep;
 mod scene;
+mod small;
 mod suite;
 mod sweep;
 mod sweeps;

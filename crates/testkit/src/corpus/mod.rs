@@ -99,6 +99,8 @@ const RULES: &[(&str, &str, Rule)] = &[
     ("wkt/", ".wkt", Wkt),
     ("airfoil/", ".dat", Airfoil),
     ("thesis/", ".json", Skip("worked examples: tables")),
+    ("lecture/", ".json", Skip("worked examples: facts")),
+    ("chapter/", ".json", Skip("worked examples: facts")),
     ("franke/FUNCTIONS.md", "", Skip("formulas")),
     ("franke/", ".csv", Table),
 ];
