@@ -27,7 +27,7 @@ use std::cmp::Ordering;
 pub(super) const ABOUT: About = About {
     name: "sweep-circle",
     title: "sweep circle",
-    source: "Sinclair 2010 (s-hull); Biniaz and Dastghaibyfard 2012",
+    source: "Sinclair 2016 (s-hull); Biniaz and Dastghaibyfard 2012",
     idea: "A circle grows from the middle; each point that it comes to lies outside of the hull so far, and is \
            joined to all edges that it sees; then edges are flipped.",
     cost: "O(n log n) for sorting; flips O(n) if points are spread evenly, O(n²) at worst",
