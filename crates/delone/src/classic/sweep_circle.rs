@@ -27,7 +27,7 @@ use std::cmp::Ordering;
 pub(super) const ABOUT: About = About {
     name: "sweep-circle",
     title: "sweep circle",
-    source: "Sinclair 2010 (s-hull); Biniaz and Dastghaibyfard 2012",
+    source: "Sinclair 2016 (s-hull); Biniaz and Dastghaibyfard 2012",
     idea: "A circle grows from the middle; each point that it comes to lies outside of the hull so far, and is \
            joined to all edges that it sees; then edges are flipped.",
     cost: "O(n log n) for sorting; flips O(n) if points are spread evenly, O(n²) at worst",
@@ -236,17 +236,19 @@ impl Circle {
     ///
     /// The link goes along the hull clockwise: p comes after its last vertex.
     fn tell_front<O: Observer>(&mut self, board: &mut Board<O>, link: &[HalfEdgeId], p: VertexId) {
-        let seen: Vec<_> = link.iter().map(|&h| board.mesh().origin(h)).collect();
-        let last = board.mesh().dest(link[link.len() - 1]);
+        let (next, last) = (board.ends(link[0])[0], board.ends(link[link.len() - 1])[1]);
         if self.latest.is_none() {
             self.first = p;
             enter(board, p, None);
-            let row = seen.iter().copied().chain([last]);
-            row.fold(p, |before, v| enter(board, v, Some(before)));
+            enter(board, next, Some(p));
+            for &h in link {
+                let [before, v] = board.ends(h);
+                enter(board, v, Some(before));
+            }
             return;
         }
-        let next = seen.iter().copied().skip(2).chain([last]);
-        for (&v, before) in seen.iter().skip(1).zip(next) {
+        for &h in &link[1..] {
+            let [v, before] = board.ends(h);
             let is_first = v == self.first;
             board.tell(|| Event::FrontLeft {
                 place: v.raw(),
@@ -254,21 +256,20 @@ impl Circle {
                 after: (!is_first).then_some(before.raw()),
             });
             if is_first {
-                self.first = seen[0];
+                self.first = next;
             }
         }
         enter(board, p, Some(last));
     }
 }
 
-/// Tells that a vertex comes to the front, and returns it.
-fn enter<O: Observer>(board: &mut Board<O>, v: VertexId, before: Option<VertexId>) -> VertexId {
+/// Tells that a vertex comes to the front.
+fn enter<O: Observer>(board: &mut Board<O>, v: VertexId, before: Option<VertexId>) {
     board.tell(|| Event::FrontEntered {
         place: v.raw(),
         vertex: v,
         after: before.map(VertexId::raw),
     });
-    v
 }
 
 /// Tells whether `p` sees the hull edge of `h`, a half-edge of a ghost.

@@ -14,7 +14,7 @@ pub(super) struct Circle {
     pub arc: ArcId,
     /// The foci, counter-clockwise.
     pub triangle: [VertexId; 3],
-    number: u32,
+    number: u64,
 }
 
 /// Circles that wait, each on behalf of its arc.
@@ -22,8 +22,8 @@ pub(super) struct Circle {
 pub(super) struct Circles {
     heap: BinaryHeap<Circle>,
     /// For each arc, by its number, the circle that waits for it.
-    of_arcs: Vec<Option<(u32, [VertexId; 3])>>,
-    count: u32,
+    of_arcs: Vec<Option<(u64, [VertexId; 3])>>,
+    count: u64,
 }
 
 impl Circles {

@@ -28,9 +28,7 @@ use super::joining::Restoring;
 use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::observe::{Item, Queue, Stage};
-use crate::predicates::{
-    Bottom, Orientation, circumcenter, circumradius_up, compare_distances, compare_parabolas,
-};
+use crate::predicates::{Bottom, Orientation, circumcenter, circumradius_up, compare_parabolas};
 use crate::{Error, Event, Observer, Point, VertexId};
 use std::cmp::Ordering;
 
@@ -288,19 +286,14 @@ impl<O: Observer> Sweep<'_, O> {
 /// ends and one of `b` begins.
 ///
 /// The lower site has the narrower parabola; of the two points where the parabolas meet, the one to the
-/// right of it ends its arc, the one to the left begins it. Between both it is the lower parabola.
+/// right of it ends its arc, the one to the left begins it. Between both it is the lower parabola. Where
+/// sites are equally high, so that there is one such point, `b` lies to the right of it.
 fn beside_breakpoint(p: Point, a: Point, b: Point) -> Ordering {
-    if a.y == b.y {
-        compare_distances(p, a, b)
-    } else if a.y < b.y {
-        match p.x <= a.x {
-            true => Ordering::Less,
-            false => compare_parabolas(p, a, b),
-        }
+    if a.y < b.y && p.x <= a.x {
+        Ordering::Less
+    } else if a.y >= b.y && p.x >= b.x {
+        Ordering::Greater
     } else {
-        match p.x >= b.x {
-            true => Ordering::Greater,
-            false => compare_parabolas(p, a, b),
-        }
+        compare_parabolas(p, a, b)
     }
 }
