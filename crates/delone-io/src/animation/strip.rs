@@ -41,8 +41,8 @@ pub(super) fn write(
     let mut page = pixmap(grid.page);
     let mut cell = pixmap([grid.cell[0]; 2]);
     draw_words(&mut page, &grid.head(recording), pen.detail);
-    for (i, &end) in plan.ends.iter().enumerate() {
-        player.advance(end)?;
+    for (i, frame) in plan.frames().enumerate() {
+        player.advance(frame)?;
         raster::draw(&mut cell, &player.marks, pen.detail);
         let [x, y] = grid.corner(i).map(|v| v as i32);
         let paint = PixmapPaint::default();
