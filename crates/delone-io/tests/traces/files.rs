@@ -11,7 +11,7 @@ fn bytes_of(recording: &Recording, format: LogFormat) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("run").with_extension(format.name());
     let names = write_log(recording, Some(&path), None, &()).expect("can be written");
-    assert_eq!(names, [path.clone()]);
+    assert_eq!(names, std::slice::from_ref(&path));
     std::fs::read(path).expect("written")
 }
 
