@@ -23,10 +23,13 @@
 //! | `.vtu` (VTK, ParaView) | read | points | read | both |
 //! | `.asc` (ESRI's ASCII grid) | | | | raster |
 //! | `.svg`, `.png` | | | | all, report |
+//! | `.gif` | | | | [run](write_animation) |
 //! | `.html` | | | | report |
 //!
 //! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`; [`write_links`]
-//! writes [links between points](Links) to tables, `.npy`, `.geojson`, `.svg` and `.png`.
+//! writes [links between points](Links) to tables, `.npy`, `.geojson`, `.svg` and `.png`. [Runs](Recording) of
+//! classical algorithms have [log files](LogFormat) of their own, `.json` and `.dlog`; [`write_animation`] shows
+//! them.
 //!
 //! Points become a mesh:
 //!

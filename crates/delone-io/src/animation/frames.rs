@@ -24,6 +24,15 @@ pub(super) struct Plan {
     pub rest: f64,
 }
 
+/// A frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// How many steps have been played.
+    pub end: usize,
+    /// Whether it is the last: what has become of it all.
+    pub is_result: bool,
+}
+
 impl Plan {
     /// Chooses the frames of a moving picture.
     pub fn new(log: &Log, options: &AnimationOptions) -> Self {
@@ -63,6 +72,16 @@ impl Plan {
             interval: 1.0,
             rest: 0.0,
         }
+    }
+
+    /// Visits the frames.
+    pub fn frames(&self) -> impl Iterator<Item = Frame> + '_ {
+        let last = self.ends.len() - 1;
+        let numbered = self.ends.iter().enumerate();
+        numbered.map(move |(i, &end)| Frame {
+            end,
+            is_result: i == last,
+        })
     }
 
     /// Returns when a frame begins.

@@ -57,8 +57,8 @@ fn sample(mut player: Player<'_>, plan: &Plan, page: &mut Pixmap) -> Result<Pale
     let mut palette = Palette::default();
     // From the last one backwards, so that it is among them.
     let skipped = (plan.ends.len() - 1) % stride;
-    for &end in plan.ends.iter().skip(skipped).step_by(stride) {
-        player.advance(end)?;
+    for frame in plan.frames().skip(skipped).step_by(stride) {
+        player.advance(frame)?;
         raster::draw(page, &player.marks, player.pen.detail);
         palette.learn(page.pixels());
     }
@@ -91,13 +91,12 @@ fn film(
     let mut before: Vec<u8> = Vec::new();
     let mut now: Vec<u8> = Vec::new();
     let mut ticks = 0;
-    for (i, &end) in plan.ends.iter().enumerate() {
-        player.advance(end).map_err(Broken::Player)?;
+    for (i, frame) in plan.frames().enumerate() {
+        player.advance(frame).map_err(Broken::Player)?;
         raster::draw(page, &player.marks, player.pen.detail);
         now.clear();
         now.extend(page.pixels().iter().map(|&pixel| palette.nearest(pixel)));
-        let is_last = i + 1 == plan.ends.len();
-        let until = if is_last {
+        let until = if frame.is_result {
             plan.total()
         } else {
             plan.begin(i + 1)

@@ -183,7 +183,7 @@ fn require(target: &Target, options: &AnimationOptions) -> Result<(), Error> {
         return refuse(format!("{frames} frames of a strip: must be from 1 to 100"));
     }
     match options.pace {
-        Pace::PerSecond(rate) if !(rate >= 0.01 && rate <= FASTEST) => refuse(format!(
+        Pace::PerSecond(rate) if !(0.01..=FASTEST).contains(&rate) => refuse(format!(
             "{rate} frames a second: must be from 0.01 to {FASTEST}"
         )),
         Pace::InSeconds(total) if !(0.1..=36_000.0).contains(&total) => {

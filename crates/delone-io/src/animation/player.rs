@@ -3,6 +3,7 @@
 //! Marks are added and taken away as steps come, so a frame costs what has changed since the one before.
 //! What belongs to the current step alone is taken away with the next frame.
 
+use super::frames::Frame;
 use super::highlight::Highlight;
 use super::mark::{CLASSES, Look, Mark, Tone};
 use super::panel::{Caption, Panel};
@@ -106,12 +107,12 @@ impl<'a> Player<'a> {
         }
     }
 
-    /// Plays until so many steps are played, and shows what the last one did; if there are no more, what
-    /// there is, and nobody's turn.
+    /// Plays until so many steps are played, and shows what the last one did; in the result, nothing of it,
+    /// and nobody's turn.
     ///
     /// # Errors
     /// If a step does not fit those before it, or the watch cancels.
-    pub fn advance(&mut self, end: usize) -> Result<(), Error> {
+    pub fn advance(&mut self, Frame { end, is_result }: Frame) -> Result<(), Error> {
         for mark in std::mem::take(&mut self.passing) {
             self.marks.remove(mark);
         }
@@ -119,8 +120,9 @@ impl<'a> Player<'a> {
         for &step in steps {
             self.play(step)?;
         }
-        self.step = steps.last().copied().filter(|step| step.line != 0);
-        if steps.is_empty() {
+        let step = steps.last().copied();
+        self.step = step.filter(|step| step.line != 0 && !is_result);
+        if is_result {
             self.end_turn();
         }
         self.passing = self.current();

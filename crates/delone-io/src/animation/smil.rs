@@ -87,10 +87,10 @@ fn film(out: &Output<'_>, player: &mut Player<'_>, plan: &Plan) -> Result<Timeli
     for mark in player.marks.iter() {
         timeline.begin(mark.clone(), 0);
     }
-    for (frame, &end) in plan.ends.iter().enumerate() {
+    for (number, frame) in plan.frames().enumerate() {
         player.marks.changed.get_or_insert_default();
-        player.advance(end)?;
-        timeline.note(&mut player.marks, frame as u32);
+        player.advance(frame)?;
+        timeline.note(&mut player.marks, number as u32);
         if timeline.spans.len() > MOST {
             return Err(Error::Picture {
                 file: out.file().to_owned(),

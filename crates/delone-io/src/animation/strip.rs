@@ -41,8 +41,8 @@ pub(super) fn write(
     let mut page = pixmap(grid.page);
     let mut cell = pixmap([grid.cell[0]; 2]);
     draw_words(&mut page, &grid.head(recording), pen.detail);
-    for (i, &end) in plan.ends.iter().enumerate() {
-        player.advance(end)?;
+    for (i, frame) in plan.frames().enumerate() {
+        player.advance(frame)?;
         raster::draw(&mut cell, &player.marks, pen.detail);
         let [x, y] = grid.corner(i).map(|v| v as i32);
         let paint = PixmapPaint::default();
@@ -79,10 +79,10 @@ struct Grid {
 impl Grid {
     /// Lays out so many cells on a page whose longer side is given.
     fn new(cells: usize, size: f32) -> Self {
-        let columns = (1..=cells)
-            .find(|&columns| 3 * cells.div_ceil(columns) <= 2 * columns + 2)
-            .unwrap_or(1);
-        let rows = cells.div_ceil(columns);
+        // About four to three, and no more columns than those rows need.
+        let wide = (cells as f32 * 4.0 / 3.0).sqrt().ceil() as usize;
+        let rows = cells.div_ceil(wide);
+        let columns = cells.div_ceil(rows);
         let usual = [columns as f32 * CELL, HEAD + rows as f32 * (CELL + WORDS)];
         let unit = size / usual[0].max(usual[1]);
         Self {
@@ -165,6 +165,7 @@ mod tests {
                 assert!(fits(0) && fits(1), "{cells}: {corner:?} {:?}", grid.page);
             }
         }
-        assert_eq!(Grid::new(12, 1600.0).columns, 4);
+        let columns = [1, 2, 9, 12, 20].map(|cells| Grid::new(cells, 1600.0).columns);
+        assert_eq!(columns, [1, 2, 3, 4, 5]);
     }
 }

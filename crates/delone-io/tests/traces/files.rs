@@ -11,7 +11,7 @@ fn bytes_of(recording: &Recording, format: LogFormat) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("run").with_extension(format.name());
     let names = write_log(recording, Some(&path), None, &()).expect("can be written");
-    assert_eq!(names, [path.clone()]);
+    assert_eq!(names, std::slice::from_ref(&path));
     std::fs::read(path).expect("written")
 }
 
@@ -255,6 +255,36 @@ fn what_a_dlog_declares_is_not_believed() {
         let error = read(&bytes).expect_err(expected).to_string();
         assert!(error.contains(expected), "{error:?} lacks {expected:?}");
     }
+}
+
+/// Returns the code of the documentation that follows a heading.
+fn documented(heading: &str) -> String {
+    let page = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../docs/algorithms/log-format.md"
+    );
+    let page = std::fs::read_to_string(page).expect("the page");
+    let (_, after) = page.split_once(heading).expect(heading);
+    let (_, code) = after.split_once("```").expect("code");
+    let (code, _) = code.split_once("```").expect("its end");
+    let (_, code) = code.split_once('\n').expect("lines");
+    code.to_owned()
+}
+
+#[test]
+fn the_documented_example_is_what_is_written() {
+    let text = documented("## Text");
+    let recording = read(text.as_bytes()).expect("the example");
+    let written = bytes_of(&recording, LogFormat::Json);
+    assert_eq!(String::from_utf8_lossy(&written), text);
+    recording.log.last_scene().expect("can be played");
+    let rows = bytes_of(&recording, LogFormat::Binary);
+    let rows = rows.chunks(24).map(|row| {
+        let digits: Vec<_> = row.iter().map(|byte| format!("{byte:02x}")).collect();
+        digits.join(" ") + "\n"
+    });
+    let documented = documented("### The same example");
+    assert_eq!(rows.collect::<String>(), documented);
 }
 
 #[test]
