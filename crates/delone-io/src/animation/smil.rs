@@ -42,8 +42,6 @@ impl Timeline {
         let spans = self.spans.entry(mark).or_default();
         match spans.last_mut() {
             Some(span) if span[1] == u32::MAX => {}
-            // It was there in the frame before, too.
-            Some(span) if span[1] == frame => span[1] = u32::MAX,
             _ => spans.push([frame, u32::MAX]),
         }
     }
@@ -64,7 +62,7 @@ pub(super) fn write(
     mut player: Player<'_>,
     plan: &Plan,
 ) -> Result<(), Error> {
-    let timeline = film(out, &mut player, plan)?;
+    let timeline = film(out.file(), &mut player, plan)?;
     let [width, height] = player.pen.view.page;
     out.text(format_args!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
@@ -82,29 +80,21 @@ pub(super) fn write(
 }
 
 /// Plays all frames, and keeps when which marks are there.
-fn film(out: &Output<'_>, player: &mut Player<'_>, plan: &Plan) -> Result<Timeline, Error> {
+fn film(file: &str, player: &mut Player<'_>, plan: &Plan) -> Result<Timeline, Error> {
     let mut timeline = Timeline::default();
-    for mark in player.marks.iter() {
-        timeline.begin(mark.clone(), 0);
-    }
+    player.marks.changed = Some(player.marks.iter().cloned().collect());
     for (number, frame) in plan.frames().enumerate() {
-        player.marks.changed.get_or_insert_default();
         player.advance(frame)?;
         timeline.note(&mut player.marks, number as u32);
         if timeline.spans.len() > MOST {
             return Err(Error::Picture {
-                file: out.file().to_owned(),
+                file: file.to_owned(),
                 reason: format!(
                     "more than {MOST} elements would move; write a GIF, or show fewer frames"
                 ),
             });
         }
     }
-    // What was there before the first frame and not in it.
-    timeline.spans.retain(|_, spans| {
-        spans.retain(|span| span[0] < span[1]);
-        !spans.is_empty()
-    });
     Ok(timeline)
 }
 
@@ -319,4 +309,76 @@ fn number(tenths: i32) -> String {
     let mut text = String::new();
     push_tenths(&mut text, tenths);
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::AnimationOptions;
+    use crate::animation::pen::Pen;
+    use crate::picture::View;
+    use delone::classic::{Algorithm, Input};
+    use delone::{Log, Point};
+    use std::collections::BTreeSet;
+
+    fn recording() -> Recording {
+        let place = |i: i32| Point::new(f64::from(i * i % 17), f64::from(i * 7 % 13));
+        let input = Input::from_points((0..12).map(place));
+        let mut log = Log::new("incremental", input.pslg.points.clone());
+        let run = Algorithm::Incremental.observe(&input, &mut log);
+        run.expect("finite points");
+        Recording::new(Algorithm::Incremental.about(), log)
+    }
+
+    #[test]
+    fn a_mark_is_there_when_its_frame_has_it() {
+        let recording = recording();
+        let drawing = [[0.0; 2], [100.0; 2]];
+        let view = View::within(&recording.log.points, [100.0; 2], drawing);
+        let pen = Pen::new(view, 0.1, 12);
+        let start = || Player::new("run.svg", &recording, &pen, None, &());
+        for max_frames in [7, 1000] {
+            let options = AnimationOptions {
+                max_frames,
+                ..AnimationOptions::default()
+            };
+            let plan = Plan::new(&recording.log, &options);
+            let timeline = film("run.svg", &mut start(), &plan).expect("few marks");
+            let mut player = start();
+            for (number, frame) in plan.frames().enumerate() {
+                player.advance(frame).expect("a run");
+                let number = number as u32;
+                let shown = |spans: &[Span]| spans.iter().any(|s| s[0] <= number && number < s[1]);
+                let seen = timeline.spans.iter().filter(|(_, spans)| shown(spans));
+                let seen: BTreeSet<_> = seen.map(|(mark, _)| mark).collect();
+                assert_eq!(seen, player.marks.iter().collect(), "frame {number}");
+            }
+        }
+    }
+
+    #[test]
+    fn visibility_is_told_by_shares_of_the_time() {
+        let plan = Plan {
+            ends: vec![0; 8],
+            wanted: 8,
+            interval: 1.0,
+            rest: 2.0,
+        };
+        let clock = Clock { plan: &plan };
+        let open = u32::MAX;
+        assert_eq!(clock.visibility(&[[0, open]]), "");
+        let told = |spans: &[Span]| {
+            let text = clock.visibility(spans);
+            let from = text.find("values").expect("values");
+            let to = text.find(" calcMode").expect("a mode");
+            text[from..to].replace('"', "")
+        };
+        assert_eq!(told(&[[0, 4]]), "values=visible;hidden keyTimes=0;.40000");
+        assert_eq!(
+            told(&[[5, open]]),
+            "values=hidden;visible keyTimes=0;.50000"
+        );
+        let twice = "values=hidden;visible;hidden;visible keyTimes=0;.10000;.20000;.30000";
+        assert_eq!(told(&[[1, 2], [3, open]]), twice);
+    }
 }
