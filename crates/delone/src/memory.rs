@@ -1,4 +1,5 @@
-//! Large arrays: not touched before they are used, in huge pages where the system grants them.
+//! Large arrays: not touched before they are used, in huge pages where the system grants them, and fetched
+//! ahead.
 //!
 //! First touch of memory costs 0.3–0.4 ns a byte in pages of 4 KiB and a tenth of that in pages of
 //! 2 MiB; at 90 bytes a point that is a good part of the whole triangulation.
@@ -29,3 +30,19 @@ fn advise_huge_pages(start: *const u8, size: usize) {
 
 #[cfg(not(target_os = "linux"))]
 fn advise_huge_pages(_start: *const u8, _size: usize) {}
+
+/// Brings what lies at `place` into the cache, without waiting for it.
+#[inline(always)]
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn fetch_ahead<T: Copy>(place: &T) {
+    use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+    // SAFETY: every processor of this architecture knows the hint, and it changes nothing.
+    unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast()) }
+}
+
+/// Brings what lies at `place` into the cache, by reading it.
+#[inline(always)]
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) fn fetch_ahead<T: Copy>(place: &T) {
+    std::hint::black_box(*place);
+}

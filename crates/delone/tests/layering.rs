@@ -35,6 +35,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "order",
             "error",
             "watch",
+            "memory",
             "parallel",
             "pace",
         ],

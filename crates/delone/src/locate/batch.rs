@@ -1,6 +1,7 @@
 //! Many queries at once: in the order of a space-filling curve, so that each begins where the one before
 //! has ended and what it reads is still at hand, and on several threads.
 
+use crate::memory::reserve;
 use crate::order::{Frame, Radix, sorted_keys};
 use crate::parallel::{Workers, with_workers};
 use crate::{Error, Phase, Point, Watch};
@@ -55,7 +56,7 @@ impl Spread {
         let answers = with_workers(threads, |workers| {
             let keys = self.sorted(points, workers, watch)?;
             let done = AtomicU64::new(0);
-            let mut answers = Vec::with_capacity(points.len());
+            let mut answers = reserve(points.len());
             let places = Places(answers.as_mut_ptr());
             let finished = workers.map(keys.chunks(RUN).collect(), |keys: &[u64]| {
                 if watch.is_cancelled() {

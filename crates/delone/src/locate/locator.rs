@@ -5,6 +5,7 @@ use super::batch::{Spread, check_finite};
 use super::rim::{Rim, Row};
 use super::tree::Tree;
 use super::walk::{Walk, inner};
+use crate::memory::fetch_ahead;
 use crate::pace::Pace;
 use crate::predicates::squared_length;
 use crate::{Error, HalfEdgeId, Mesh, Phase, Point, TriangleId, Triangulation, VertexId, Watch};
@@ -231,7 +232,7 @@ struct Trail {
     ahead: ReadAhead,
 }
 
-/// Reads the corners of triangles before they are needed: vertices lie in memory as the caller gave them,
+/// Fetches the corners of triangles before they are needed: vertices lie in memory as the caller gave them,
 /// so each is a long way to go, but many ways can be gone at once. Builders number triangles along a
 /// space-filling curve, so queries sorted along one mostly come to those of higher numbers next.
 #[derive(Default)]
@@ -242,7 +243,7 @@ struct ReadAhead {
 }
 
 impl ReadAhead {
-    /// Triangles that are read at once.
+    /// Triangles whose corners are fetched at once.
     const WINDOW: usize = 128;
     /// Triangles that may be read for each query: with fewer queries, or in another order, it is in vain.
     const A_QUERY: usize = 4;
@@ -261,12 +262,9 @@ impl ReadAhead {
         self.known = first..(first + Self::WINDOW).min(triangulation.num_finite());
         self.read += Self::WINDOW;
         let corners = &triangulation.mesh().faces()[self.known.clone()];
-        let coordinates = corners
-            .as_flattened()
-            .iter()
-            .map(|&v| triangulation.point(v).x);
-        // Nobody needs the sum, but it must not be left out.
-        std::hint::black_box(coordinates.sum::<f64>());
+        for v in corners.as_flattened() {
+            fetch_ahead(&triangulation.points()[v.index()]);
+        }
     }
 }
 

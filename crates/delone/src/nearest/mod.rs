@@ -25,6 +25,7 @@
 //! is built. What is nearest to each vertex needs no search:
 //! [`Proximity::nearest_neighbors`](crate::proximity::Proximity::nearest_neighbors).
 
+mod few;
 mod graph;
 mod index;
 mod search;

@@ -1,5 +1,6 @@
 //! The searches: downhill to the nearest, outwards to the k nearest, and over a disc.
 
+use super::few::FEW;
 use super::graph::Graph;
 use super::seen::Seen;
 use crate::predicates::{CircleSide, compare_squared, in_disc, squared_length};
@@ -12,6 +13,7 @@ use std::collections::BinaryHeap;
 pub(super) struct Scratch {
     seen: Seen,
     stack: Vec<u32>,
+    waiting: BinaryHeap<Reverse<Reached>>,
 }
 
 /// A vertex and its distance from the point of the search.
@@ -118,7 +120,7 @@ impl Graph {
 
     /// Visits `start` and all that are connected with it through vertices that `enter` accepts.
     fn flood(&self, start: u32, scratch: &mut Scratch, mut enter: impl FnMut(u32) -> bool) {
-        let Scratch { seen, stack } = scratch;
+        let Scratch { seen, stack, .. } = scratch;
         seen.clear();
         seen.insert(start);
         stack.clear();
@@ -134,10 +136,7 @@ impl Graph {
         }
     }
 
-    /// Lists the `k` vertices nearest to `p` by distance, then by name, given a nearest one.
-    ///
-    /// Those next to what is listed wait in a heap. Equally near ones are listed together, when all of them
-    /// have been found: one may lead to the next only through a third.
+    /// Lists the `k` vertices nearest to `p` by distance, then by name, given the first of them.
     pub fn k_nearest(
         &self,
         p: Point,
@@ -145,10 +144,27 @@ impl Graph {
         k: usize,
         scratch: &mut Scratch,
     ) -> Vec<VertexId> {
-        let seen = &mut scratch.seen;
+        let are_few = (1..=FEW).contains(&k) && k < self.names.len();
+        let few = are_few.then(|| self.few_nearest(p, nearest, k)).flatten();
+        few.unwrap_or_else(|| self.many_nearest(p, nearest, k, scratch))
+    }
+
+    /// As [`k_nearest`](Self::k_nearest), for any `k` and ties.
+    ///
+    /// Those next to what is listed wait in a heap. Equally near ones are listed together, when all of them
+    /// have been found: one may lead to the next only through a third.
+    fn many_nearest(
+        &self,
+        p: Point,
+        nearest: u32,
+        k: usize,
+        scratch: &mut Scratch,
+    ) -> Vec<VertexId> {
+        let Scratch { seen, waiting, .. } = scratch;
         seen.clear();
         seen.insert(nearest);
-        let mut waiting = BinaryHeap::from([Reverse(Reached::new(self, p, nearest))]);
+        waiting.clear();
+        waiting.push(Reverse(Reached::new(self, p, nearest)));
         let mut listed = Vec::with_capacity(k.min(self.names.len()));
         let mut last: Option<Reached> = None;
         // Where in the list those begin that are as near as the last.
