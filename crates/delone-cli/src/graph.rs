@@ -83,8 +83,8 @@ impl Graph {
             builder.triangulate(points).map_err(refused)
         })?;
         let drawn = phases.time("graph", || {
-            let proximity = Proximity::new(&triangulation, &progress).map_err(refused)?;
-            self.kind.draw(&proximity).map_err(refused)
+            let draw = || self.kind.draw(&Proximity::new(&triangulation, &progress)?);
+            task.on_threads(draw).map_err(refused)
         })?;
 
         let Drawn { edges, more } = drawn;

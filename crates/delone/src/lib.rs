@@ -88,7 +88,7 @@
 //!   circles, tours.
 //! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
 //!   vertices, gradients, rasters, contour lines.
-//! - [`predicates`]: the exact signs.
+//! - [`predicates`]: the exact signs. [`on_threads`]: how many threads work, where no setting says so.
 //!
 //! # Features
 //!
@@ -127,6 +127,7 @@ pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use observe::{Event, Observer, Stage};
+pub use parallel::on_threads;
 pub use point::Point;
 pub use pslg::{
     DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,
