@@ -166,6 +166,6 @@ fn points_of(
     outputs.spare(&input.files())?;
     let (points, unused) = input.points(progress)?;
     progress.note(&unused);
-    let numbering = Numbering::from_base(&input.name(), points.base);
+    let numbering = Numbering::of_points(&input.name(), &points);
     Ok((points, numbering))
 }
