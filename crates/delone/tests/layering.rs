@@ -75,6 +75,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "predicates",
             "triangulation",
             "pslg",
+            // Where seeds lie.
+            "locate",
             "delaunay",
             "error",
             "watch",
