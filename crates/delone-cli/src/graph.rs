@@ -107,7 +107,7 @@ impl Graph {
             points: points.points.len(),
             distinct_points: triangulation.num_vertices(),
             edges: links.len(),
-            length: links.iter().map(|link| link.length).sum(),
+            length: links.iter().fold(0.0, |sum, link| sum + link.length),
             more,
         };
         let written = phases.time("write", || {

@@ -256,7 +256,7 @@ impl Figures {
             vertices: diagram.vertices().len(),
             edges: diagram.edges().len(),
             clip_area: domain.measure().area,
-            area: areas.iter().sum(),
+            area: areas.iter().fold(0.0, |sum, area| sum + area),
             empty: cells - areas.len(),
             smallest: areas.iter().copied().reduce(f64::min),
             largest: areas.iter().copied().reduce(f64::max),

@@ -138,7 +138,7 @@ impl Clipped<'_> {
         };
         // Added up in order, whoever has found them.
         let energies = self.of_sites(of_site);
-        let energy: f64 = sites().map(|v| energies[v.index()]).sum();
+        let energy = sites().fold(0.0, |sum, v| sum + energies[v.index()]);
         unit.length(unit.length(unit.length(unit.length(energy))))
     }
 }
