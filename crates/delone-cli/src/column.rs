@@ -2,7 +2,7 @@
 
 use crate::exit::Failure;
 use crate::numbering::Numbering;
-use delone_io::{Attribute, Column, PointSet};
+use delone_io::{Attribute, Column, LeftOut, PointSet};
 
 /// Takes the column that the option `--name` asks for out of the data of some points: by name, or by its
 /// number among those that are not coordinates. If none was asked for, that is the only one, or `z`.
@@ -12,28 +12,41 @@ pub fn take(
     option: &str,
     numbering: &Numbering,
 ) -> Result<Attribute, Failure> {
-    let attribute = find(points, asked, option, numbering.file())?;
+    let attribute = find(points, asked, option, numbering)?;
     if let Some(i) = attribute.values.iter().position(|v| !v.is_finite()) {
-        let [file, name, hint] = [numbering.file(), &attribute.name, numbering.hint()];
-        let number = i + numbering.base();
-        return Err(Failure::BadInput(format!(
-            "{file}: point {number} has no number in column {name:?}; add it, or remove the point{hint}"
-        )));
+        let what = match attribute.values[i] {
+            v if v.is_nan() => "has no number",
+            _ => "has an infinite value",
+        };
+        return Err(refused(i, what, &attribute.name, numbering));
     }
     Ok(attribute.clone())
+}
+
+/// Says what is wrong with a value, where, and what to do.
+fn refused(point: usize, what: &str, column: &str, numbering: &Numbering) -> Failure {
+    let [place, hint] = [&numbering.place(point), numbering.hint()];
+    let number = point + numbering.base();
+    Failure::BadInput(format!(
+        "{place}: point {number} {what} in column {column:?}; repair it, or remove the point{hint}"
+    ))
 }
 
 fn find<'a>(
     points: &'a PointSet,
     asked: Option<&Column>,
     option: &str,
-    file: &str,
+    numbering: &Numbering,
 ) -> Result<&'a Attribute, Failure> {
-    let all = &points.attributes;
+    let (all, file) = (&points.attributes, numbering.file());
+    if let Some(LeftOut { name, point, text }) = left_out(points, asked) {
+        let what = format!("has {text:?}, which is no number,");
+        return Err(refused(*point, &what, name, numbering));
+    }
     if all.is_empty() {
         let left_out = match &points.left_out[..] {
             [] => String::new(),
-            names => format!("; these hold no numbers: {}", names.join(", ")),
+            all => format!("; these hold no numbers: {}", places(all, numbering)),
         };
         return Err(Failure::BadInput(format!(
             "{file}: there is no column of numbers besides the coordinates; add one{left_out}"
@@ -56,6 +69,27 @@ fn find<'a>(
             "{file}: {problem}; choose one of these with {option}: {names}"
         ))
     })
+}
+
+/// Names columns that were left out, with what stands there instead of a number.
+fn places(left_out: &[LeftOut], numbering: &Numbering) -> String {
+    let place = |c: &LeftOut| match numbering.line(c.point) {
+        Some(line) => format!("{} (line {line}: {:?})", c.name, c.text),
+        None => c.name.clone(),
+    };
+    left_out.iter().map(place).collect::<Vec<_>>().join(", ")
+}
+
+/// Finds the column that was meant but holds something else than numbers: that of the name asked for; or,
+/// without a name and without columns of numbers, the first that begins with numbers.
+fn left_out<'a>(points: &'a PointSet, asked: Option<&Column>) -> Option<&'a LeftOut> {
+    let mut all = points.left_out.iter();
+    let Some(Column::Name(name)) = asked else {
+        let is_bare = points.attributes.is_empty();
+        return all.find(|c| is_bare && c.point > 0);
+    };
+    let is_number = named(&points.attributes, name).is_some();
+    all.find(|c| !is_number && c.name.eq_ignore_ascii_case(name))
 }
 
 /// Finds a column of this name; if there is none, one of which only the case differs.
@@ -88,7 +122,8 @@ mod tests {
         let found = |names: &[&str], asked: Option<&str>| {
             let column = asked.map(|text| text.parse().expect("infallible"));
             let set = points(names);
-            let found = find(&set, column.as_ref(), "--value", "f.csv");
+            let numbering = Numbering::of_points("f.csv", &set);
+            let found = find(&set, column.as_ref(), "--value", &numbering);
             found.map(|a| a.name.clone()).ok()
         };
         assert_eq!(found(&["h"], None).as_deref(), Some("h"));
@@ -103,8 +138,12 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_named() {
-        let numbering = Numbering::from_base("f.csv", 1);
-        let said = take(&points(&["h"]), None, "--value", &numbering).expect_err("NaN");
+        let points = PointSet {
+            base: 1,
+            ..points(&["h"])
+        };
+        let numbering = Numbering::of_points("f.csv", &points);
+        let said = take(&points, None, "--value", &numbering).expect_err("NaN");
         let said = said.to_string();
         assert!(
             said.contains("point 2 has no number in column \"h\""),

@@ -34,7 +34,7 @@ The JSON object of --json:
                    of an alpha shape: its radius, rounded up if it was not given; its triangles; points
                    that no edge reaches
   threads          threads used; the result is the same for any number
-  seconds          wall time of the phases read, triangulate, graph, write
+  seconds          wall time of the phases read, triangulate, graph, bound, write
   peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
 
 /// Find graphs in points: a short tour, the shortest tree, neighbourhoods, the shape of a cloud
@@ -82,12 +82,20 @@ impl Graph {
             let points = points.points.iter().copied();
             builder.triangulate(points).map_err(refused)
         })?;
-        let drawn = phases.time("graph", || {
-            let proximity = Proximity::new(&triangulation, &progress).map_err(refused)?;
-            self.kind.draw(&proximity).map_err(refused)
+        let (proximity, mut drawn) = phases.time("graph", || {
+            let draw = || {
+                let proximity = Proximity::new(&triangulation, &progress)?;
+                let drawn = self.kind.draw(&proximity)?;
+                Ok((proximity, drawn))
+            };
+            task.on_threads(draw).map_err(refused)
         })?;
+        if drawn.tour.is_some() {
+            let mut bound = || task.on_threads(|| drawn.find_bound(&proximity));
+            phases.time("bound", || bound().map_err(refused))?;
+        }
 
-        let Drawn { edges, more } = drawn;
+        let Drawn { edges, more, .. } = drawn;
         let link = |[a, b]: [delone::VertexId; 2]| Link {
             from: a.index(),
             to: b.index(),
@@ -99,7 +107,7 @@ impl Graph {
             points: points.points.len(),
             distinct_points: triangulation.num_vertices(),
             edges: links.len(),
-            length: links.iter().map(|link| link.length).sum(),
+            length: links.iter().fold(0.0, |sum, link| sum + link.length),
             more,
         };
         let written = phases.time("write", || {

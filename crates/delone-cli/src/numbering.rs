@@ -2,7 +2,7 @@
 
 use crate::exit::Failure;
 use delone::{ConstrainedTriangulation, Error, Seed, VertexId, Warning};
-use delone_io::DomainData;
+use delone_io::{DomainData, Lines, PointSet};
 
 /// How the file of an input counts.
 #[derive(Clone)]
@@ -10,19 +10,21 @@ pub struct Numbering {
     file: String,
     /// The number of the first point; segments, holes and regions are counted from it too.
     base: usize,
+    lines: Lines,
 }
 
 impl Numbering {
     /// Takes the numbering of a domain read from `file`.
     pub fn of(file: &str, domain: &DomainData) -> Self {
-        Self::from_base(file, domain.vertices.base)
+        Self::of_points(file, &domain.vertices)
     }
 
-    /// Takes the number of the first point of `file`.
-    pub fn from_base(file: &str, base: u32) -> Self {
+    /// Takes the numbering of points read from `file`.
+    pub fn of_points(file: &str, points: &PointSet) -> Self {
         Self {
             file: file.to_owned(),
-            base: base as usize,
+            base: points.base as usize,
+            lines: points.lines.clone(),
         }
     }
 
@@ -46,12 +48,15 @@ impl Numbering {
         let is_usage = matches!(error, Error::BadLevel { .. } | Error::BadGrid { .. });
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
-            Error::Crossing { .. } => ": --crossings split",
-            Error::ValuesDiffer { .. } => ": --average",
-            _ => "",
+            Error::Crossing { .. } => ": --crossings split".to_owned(),
+            Error::ValuesDiffer { vertices, .. } => match self.line(vertices[0].index()) {
+                Some(line) => format!(": --average; the first stands on line {line}"),
+                None => ": --average".to_owned(),
+            },
+            _ => String::new(),
         };
-        let [file, from] = [&self.file, self.hint()];
-        let text = format!("{file}: {}{hint}{from}", self.renumber(error));
+        let place = culprit(&error).map_or_else(|| self.file.clone(), |point| self.place(point));
+        let text = format!("{place}: {}{hint}{}", self.renumber(error), self.hint());
         if is_refused {
             Failure::BadInput(text)
         } else if is_usage {
@@ -90,6 +95,19 @@ impl Numbering {
     /// Returns the name of the file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// Returns the line of a point, counted from 1, if it has one; `point` counts from 0.
+    pub fn line(&self, point: usize) -> Option<u64> {
+        self.lines.of(point)
+    }
+
+    /// Returns the name of the file, with the line of a point if it has one; `point` counts from 0.
+    pub fn place(&self, point: usize) -> String {
+        match self.line(point) {
+            Some(line) => format!("{}:{line}", self.file),
+            None => self.file.clone(),
+        }
     }
 
     /// Returns the number of the first point, segment, hole and region.
@@ -164,6 +182,18 @@ impl Numbering {
     }
 }
 
+/// Returns the point that is at fault, if one is.
+fn culprit(error: &Error) -> Option<usize> {
+    match *error {
+        Error::NotFinite { index, .. }
+        | Error::BadSize { index, .. }
+        | Error::BadWeight { index, .. } => Some(index),
+        Error::ValueNotFinite { vertex, .. } => Some(vertex.index()),
+        Error::ValuesDiffer { vertices, .. } => Some(vertices[1].index()),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,6 +203,7 @@ mod tests {
         Numbering {
             file: "k.poly".to_owned(),
             base,
+            lines: Lines::default(),
         }
     }
 

@@ -166,7 +166,7 @@ fn background(file: &Path, column: &str, progress: &Progress) -> Result<Backgrou
         Some(triangles) => Background::from_mesh(points, triangles, sizes),
         None => Background::from_points(points, sizes),
     };
-    field.map_err(|error| Numbering::from_base(&input.name(), vertices.base).failure(error))
+    field.map_err(|error| Numbering::of_points(&input.name(), &vertices).failure(error))
 }
 
 fn available(vertices: &PointSet) -> String {

@@ -54,6 +54,14 @@ impl Task {
         job::threads(self.threads)
     }
 
+    /// Runs what has no setting for threads of its own on as many as were asked for.
+    pub fn on_threads<T: Send>(
+        &self,
+        work: impl FnOnce() -> Result<T, delone::Error> + Send,
+    ) -> Result<T, delone::Error> {
+        delone::on_threads(self.threads(), work)?
+    }
+
     /// Settles what is to be written: for each output what it holds, for the picture what it shows, and
     /// `more`.
     pub fn outputs(
@@ -158,6 +166,6 @@ fn points_of(
     outputs.spare(&input.files())?;
     let (points, unused) = input.points(progress)?;
     progress.note(&unused);
-    let numbering = Numbering::from_base(&input.name(), points.base);
+    let numbering = Numbering::of_points(&input.name(), &points);
     Ok((points, numbering))
 }

@@ -120,8 +120,9 @@ impl Voronoi {
         let relaxed = self.relax(&mut points, &domain, &numbering, &mut phases, &progress)?;
         let made = self.make(&points, &numbering, &mut phases, &progress)?;
         let clipped = phases.time("clip", || {
-            let clipped = made.diagram.clip(&domain, &progress);
-            clipped.map_err(|error| numbering.failure(error))
+            let clip = || made.diagram.clip(&domain, &progress);
+            task.on_threads(clip)
+                .map_err(|error| numbering.failure(error))
         })?;
 
         let figures = Figures::of(&made, &clipped, &domain, relaxed.as_ref());
@@ -162,8 +163,10 @@ impl Voronoi {
         };
         let mut relaxed = phases.time("relax", || {
             let lloyd = Lloyd::new(steps as usize).watch(progress);
-            let relaxed = lloyd.relax(points.points.iter().copied(), domain);
-            relaxed.map_err(|error| numbering.failure(error))
+            let relax = || lloyd.relax(points.points.iter().copied(), domain);
+            self.task
+                .on_threads(relax)
+                .map_err(|error| numbering.failure(error))
         })?;
         points.points = std::mem::take(&mut relaxed.points);
         Ok(Some(relaxed))
@@ -186,7 +189,8 @@ impl Voronoi {
                 let regular = builder.triangulate(sites.zip(weights.values));
                 regular.map_err(refused)
             })?;
-            let weighted = || Diagram::weighted(&regular, progress).map_err(refused);
+            let weighted = || Diagram::weighted(&regular, progress);
+            let weighted = || self.task.on_threads(weighted).map_err(refused);
             return Ok(Made {
                 diagram: phases.time("voronoi", weighted)?,
                 triangulation: None,
@@ -198,7 +202,8 @@ impl Voronoi {
             let builder = Delaunay::new().threads(self.task.threads()).watch(progress);
             builder.triangulate(sites).map_err(refused)
         })?;
-        let dual = || Diagram::new(&triangulation, progress).map_err(refused);
+        let dual = || Diagram::new(&triangulation, progress);
+        let dual = || self.task.on_threads(dual).map_err(refused);
         Ok(Made {
             diagram: phases.time("voronoi", dual)?,
             duplicates: triangulation.duplicates().len(),
@@ -251,7 +256,7 @@ impl Figures {
             vertices: diagram.vertices().len(),
             edges: diagram.edges().len(),
             clip_area: domain.measure().area,
-            area: areas.iter().sum(),
+            area: areas.iter().fold(0.0, |sum, area| sum + area),
             empty: cells - areas.len(),
             smallest: areas.iter().copied().reduce(f64::min),
             largest: areas.iter().copied().reduce(f64::max),

@@ -18,6 +18,7 @@ fn folder() -> Folder {
         "u.wkt",
         "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 2, 1 2, 1 4, 0 4, 0 0))",
     );
+    folder.write("way.wkt", "LINESTRING (0 0, 4 0, 4 4)");
     folder.write("bow.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))");
     folder
 }
@@ -160,6 +161,7 @@ fn few_sites_have_large_cells() {
     let folder = folder();
     let found = json(&folder, "voronoi empty.csv -o c.geojson");
     assert_eq!([&found["cells"], &found["empty"]], [0, 0]);
+    assert_eq!(found["area"].to_string(), "0.0");
     let found = json(&folder, "voronoi one.csv --picture one.png");
     assert_eq!([&found["area"], &found["largest"]], [4.0, 4.0]);
     let found = json(&folder, "voronoi line.csv --clip 0,0,4,4");
@@ -179,6 +181,7 @@ fn what_cannot_be_clipped_to_is_refused() {
         ("--clip 0,0,0,1", 2, "empty"),
         ("--clip gone.geojson", 3, "gone.geojson"),
         ("--clip line.csv", 3, "no polygon"),
+        ("--clip way.wkt", 3, "no polygon"),
         ("--clip bow.wkt", 3, "segments 0 and 2 cross"),
         ("--clip u.wkt -o u.wkt", 2, "u.wkt"),
         ("--crossings split", 2, "--clip"),

@@ -232,6 +232,7 @@ fn graphs_of_few_points_are_small() {
                 json["edges"].as_u64().expect("a count") <= most,
                 "{kind} of {file}"
             );
+            assert!(!json["length"].to_string().starts_with('-'), "{kind}");
         }
     }
     let json = folder.run("graph line.csv --kind mst --json", 0).json();

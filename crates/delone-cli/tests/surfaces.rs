@@ -41,6 +41,9 @@ fn folder() -> Folder {
     folder.write("line.csv", "x,y,z\n0,0,1\n1,1,2\n3,3,3\n");
     folder.write("twice.csv", "x,y,z\n0,0,1\n4,0,2\n0,4,3\n4,0,6\n");
     folder.write("gap.csv", "x,y,h\n0,0,1\n4,0,\n0,4,3\n");
+    folder.write("gap.node", "3 2 1 0\n# a\n1 0 0 1\n\n2 4 0 nan\n3 0 4 3\n");
+    folder.write("words.csv", "x,y,h\n0,0,1\n# a\n4,0,2\n\n0,4,n/a\n");
+    folder.write("names.csv", "x,y,town\n0,0,Bonn\n4,0,Ulm\n0,4,Kiel\n");
     folder.write("bare.csv", "x,y\n0,0\n4,0\n0,4\n");
     folder.write("two.csv", "x,y,h,k\n0,0,1,0\n4,0,2,0\n0,4,3,8\n");
     folder
@@ -178,9 +181,30 @@ fn what_makes_no_surface_is_refused() {
         (
             "contour gap.csv",
             3,
-            "point 1 has no number in column \"h\"",
+            "gap.csv:3: point 1 has no number in column \"h\"",
         ),
-        ("contour twice.csv", 3, "points 1 and 3 are equal"),
+        (
+            "contour gap.node",
+            3,
+            "gap.node:5: point 2 has no number in column \"attribute1\"",
+        ),
+        (
+            "interpolate words.csv --value H --cell 1",
+            3,
+            "words.csv:6: point 2 has \"n/a\", which is no number, in column \"h\"",
+        ),
+        ("contour words.csv", 3, "words.csv:6: point 2 has \"n/a\""),
+        (
+            "contour names.csv",
+            3,
+            "no numbers: town (line 2: \"Bonn\")",
+        ),
+        (
+            "contour twice.csv",
+            3,
+            "twice.csv:5: points 1 and 3 are equal",
+        ),
+        ("contour twice.csv", 3, "the first stands on line 3"),
         ("contour twice.csv", 3, "--average"),
         ("contour line.csv", 3, "no triangle"),
         ("contour empty.csv", 3, "no triangle"),

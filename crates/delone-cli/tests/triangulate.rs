@@ -241,6 +241,10 @@ fn text_columns_left_out_are_mentioned() {
     folder
         .run("triangulate named.csv", 0)
         .says(&["note", "name"]);
+    folder.write("broken.csv", "x,y,z\n0,0,1\n1,0,-\n0,1,2\n");
+    folder
+        .run("triangulate broken.csv", 0)
+        .says(&["note", "z (line 3: \"-\")"]);
     assert_eq!(folder.run("-q triangulate named.csv", 0).stderr, "");
 }
 

@@ -75,7 +75,8 @@ pub(crate) fn read_block(
         ..PointSet::default()
     };
     scanner.reserve(&mut set.points, 2 * block.columns, declared);
-    set.base = block.read(scanner, |number, cells| push(&mut set, number, cells))?;
+    let (base, lines) = block.read(scanner, |number, cells| push(&mut set, number, cells))?;
+    (set.base, set.lines) = (base, lines);
     Ok(set)
 }
 

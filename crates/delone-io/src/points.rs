@@ -1,6 +1,6 @@
 //! Point sets as files hold them, and how they are read.
 
-use crate::{Error, Format, Problem, Source, domain, node, npy, table, vtu};
+use crate::{Error, Format, Lines, Problem, Source, domain, node, npy, table, vtu};
 use delone::{Point, Watch};
 use std::fmt;
 use std::str::FromStr;
@@ -41,8 +41,21 @@ pub struct PointSet {
     pub markers: Option<Vec<i32>>,
     /// Number of the first point in the file, 0 or 1.
     pub base: u32,
-    /// Columns that hold no numbers and were left out, by name.
-    pub left_out: Vec<String>,
+    /// Columns that were left out because they hold something else than numbers.
+    pub left_out: Vec<LeftOut>,
+    /// Where the points stand, if the file is a text with a line for each.
+    pub lines: Lines,
+}
+
+/// A column that was left out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its name.
+    pub name: String,
+    /// The first point for which it holds no number.
+    pub point: usize,
+    /// What stands there, the beginning of it.
+    pub text: String,
 }
 
 /// A column of a table.
@@ -181,5 +194,8 @@ pub(crate) fn read_sibling(
         format: None,
         columns: options.columns.clone(),
     };
-    read_points(&sibling, &options, watch)
+    let points = read_points(&sibling, &options, watch)?;
+    // Lines of another file.
+    let lines = Lines::default();
+    Ok(PointSet { lines, ..points })
 }

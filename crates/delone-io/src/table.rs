@@ -18,7 +18,7 @@ mod write;
 pub(crate) use write::{write_links, write_points};
 
 use crate::scan::{self, Row, Scanner};
-use crate::{Attribute, Column, Error, Place, PointSet, Problem, node, points};
+use crate::{Attribute, Column, Error, LeftOut, Lines, Place, PointSet, Problem, node, points};
 use delimiter::{Delimiter, ROWS_LOOKED_AT};
 use delone::{Point, Watch};
 use std::borrow::Cow;
@@ -62,7 +62,7 @@ pub(crate) fn read_points(
         .scanner
         .reserve(&mut table.points, bytes_per_row, u64::MAX);
     while let Some(row) = pending {
-        let pushed = table.push(&reader.cells);
+        let pushed = table.push(&reader.cells, row.line);
         pushed.map_err(|p| reader.scanner.at(row, p))?;
         pending = reader.next_row()?;
     }
@@ -226,14 +226,16 @@ struct Table {
     x: usize,
     y: usize,
     points: Vec<Point>,
-    /// For each column that is neither x nor y: its place, and its values unless it holds text.
+    lines: Lines,
+    /// For each column that is neither x nor y: its place and its values.
     others: Vec<Other>,
 }
 
 struct Other {
     column: usize,
     name: String,
-    values: Option<Vec<f64>>,
+    /// What it holds; if it holds text, the first point for which it does, and the text.
+    values: Result<Vec<f64>, (usize, String)>,
 }
 
 impl Table {
@@ -258,17 +260,18 @@ impl Table {
             x,
             y,
             points: Vec::new(),
+            lines: Lines::default(),
             others: others
                 .map(|(column, name)| Other {
                     column,
                     name,
-                    values: Some(Vec::new()),
+                    values: Ok(Vec::new()),
                 })
                 .collect(),
         })
     }
 
-    fn push(&mut self, cells: &[Cow<'_, [u8]>]) -> Result<(), Problem> {
+    fn push(&mut self, cells: &[Cow<'_, [u8]>], line: u64) -> Result<(), Problem> {
         check_width(self.width, cells.len())?;
         let index = self.points.len() as u64;
         if index == node::MAX_POINTS {
@@ -277,6 +280,7 @@ impl Table {
         let x = scan::coordinate(&cells[self.x], 'x', index)?;
         let y = scan::coordinate(&cells[self.y], 'y', index)?;
         self.points.push(Point::new(x, y));
+        self.lines.push(line);
         for other in &mut self.others {
             other.push(&cells[other.column]);
         }
@@ -286,12 +290,13 @@ impl Table {
     fn finish(self) -> PointSet {
         let mut set = PointSet {
             points: self.points,
+            lines: self.lines,
             ..PointSet::default()
         };
         for Other { name, values, .. } in self.others {
             match values {
-                Some(values) => set.attributes.push(Attribute { name, values }),
-                None => set.left_out.push(name),
+                Ok(values) => set.attributes.push(Attribute { name, values }),
+                Err((point, text)) => set.left_out.push(LeftOut { name, point, text }),
             }
         }
         set
@@ -301,13 +306,13 @@ impl Table {
 impl Other {
     /// Adds a value, or gives the column up if it holds text.
     fn push(&mut self, cell: &[u8]) {
-        let Some(values) = &mut self.values else {
+        let Ok(values) = &mut self.values else {
             return;
         };
         match scan::number(cell) {
             Some(value) => values.push(value),
             None if cell.is_empty() => values.push(f64::NAN),
-            None => self.values = None,
+            None => self.values = Err((values.len(), scan::show(cell))),
         }
     }
 }

@@ -5,7 +5,7 @@
 //! comment. Counts of the header are checked against the rows, never trusted for an allocation.
 
 use crate::scan::{self, Row, Scanner};
-use crate::{Error, Place, Problem};
+use crate::{Error, Lines, Place, Problem};
 
 /// The counts in a header, with the row they stand in.
 pub(crate) struct Header<'a> {
@@ -79,12 +79,12 @@ pub(crate) struct Block {
 
 impl Block {
     /// Reads the rows, gives each with its number and its further cells to `take`, and returns the
-    /// number of the first.
+    /// number of the first and the lines of all.
     pub fn read<'a>(
         &self,
         scanner: &mut Scanner<'a>,
         take: impl FnMut(u64, &[&'a [u8]]) -> Result<(), Problem>,
-    ) -> Result<u32, Error> {
+    ) -> Result<(u32, Lines), Error> {
         self.read_ragged(scanner, self.columns, take)
     }
 
@@ -94,8 +94,9 @@ impl Block {
         scanner: &mut Scanner<'a>,
         least: usize,
         mut take: impl FnMut(u64, &[&'a [u8]]) -> Result<(), Problem>,
-    ) -> Result<u32, Error> {
+    ) -> Result<(u32, Lines), Error> {
         let mut base = self.base;
+        let mut lines = Lines::default();
         let mut cells = Vec::new();
         for found in 0..self.declared {
             let Some(row) = scanner.next_row()? else {
@@ -113,8 +114,9 @@ impl Block {
                 .map_err(|problem| scanner.at(row, problem))?;
             base.get_or_insert(number as u32);
             take(number, &cells[1..]).map_err(|problem| scanner.at(row, problem))?;
+            lines.push(row.line);
         }
-        Ok(base.unwrap_or(0))
+        Ok((base.unwrap_or(0), lines))
     }
 
     /// Checks width and number of a row and returns the number.

@@ -391,6 +391,7 @@ proptest! {
         let mut copy = domain_at(&path);
         prop_assert_eq!(copy.vertices.base, u32::from(one_based));
         copy.vertices.base = 0;
+        copy.vertices.lines = domain.vertices.lines.clone();
         copy.vertices.attributes[0].name = "z".to_owned();
         prop_assert_eq!(copy, domain);
     }

@@ -2,8 +2,8 @@
 
 use delone::{Point, VertexId};
 use delone_io::{
-    Attribute, Error, Format, MeshData, MeshView, PointSet, ReadOptions, Source, Target,
-    WriteOptions, read_mesh, read_points, write_mesh, write_points,
+    Attribute, Error, Format, LeftOut, Lines, MeshData, MeshView, PointSet, ReadOptions, Source,
+    Target, WriteOptions, read_mesh, read_points, write_mesh, write_points,
 };
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
@@ -67,7 +67,7 @@ proptest! {
         prop_assert_eq!(written.len(), 3);
         let node = read_back(&paths[0]);
         prop_assert_eq!(node.base, u32::from(one_based));
-        prop_assert_eq!(PointSet { base: 0, ..node }, set.clone());
+        prop_assert_eq!(PointSet { base: 0, lines: Lines::default(), ..node }, set.clone());
         let npy = read_back(&paths[1]);
         prop_assert_eq!(&npy.points, &set.points);
         prop_assert_eq!(&npy.attributes[0].values, &set.attributes[0].values);
@@ -105,7 +105,10 @@ proptest! {
         prop_assert_eq!(&ele.vertices.markers, &mesh.vertices.markers);
         prop_assert_eq!(&ele.triangle_attributes, &mesh.triangle_attributes);
         prop_assert_eq!(&ele.triangles, &mesh.triangles);
-        prop_assert_eq!(&read(&folder.path().join("a.node")), &ele);
+        let mut node = read(&folder.path().join("a.node"));
+        prop_assert_eq!(node.vertices.lines.of(0), Some(2));
+        node.vertices.lines = Lines::default(); // which are those of another file
+        prop_assert_eq!(&node, &ele);
         prop_assert_eq!(&read(&paths[2]), &mesh);
         let npy = read(&paths[1]);
         prop_assert_eq!(&npy.vertices.points, &mesh.vertices.points);
@@ -247,7 +250,12 @@ fn columns_are_chosen_by_name_place_or_number() {
     assert!(matches!(error, Error::SameColumn { .. }), "{error}");
 
     let set = read("x,y,city,height\n1,2,Bonn,\n3,4,5,6\n", None).expect("points");
-    assert_eq!(set.left_out, ["city"]);
+    let left_out = LeftOut {
+        name: "city".to_owned(),
+        point: 0,
+        text: "Bonn".to_owned(),
+    };
+    assert_eq!(set.left_out, [left_out]);
     assert_eq!(set.attributes[0].name, "height");
     assert!(set.attributes[0].values[0].is_nan());
     assert_eq!(set.attributes[0].values[1], 6.0);

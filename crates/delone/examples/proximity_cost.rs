@@ -35,16 +35,17 @@ fn main() -> Result<(), Error> {
     ];
     println!("edges of tree, relative neighbours, Gabriel, Delaunay: {edges:?}");
     if arguments.next().is_some() {
-        let first = timed(n, "first tour and bound", || Tour::new().moves(0).plan(&p))?;
-        let route = timed(n, "tour and bound", || Tour::new().plan(&p))?;
+        let first = timed(n, "first tour", || Tour::new().moves(0).plan(&p))?;
+        let route = timed(n, "tour", || Tour::new().plan(&p))?;
+        let bound = timed(n, "its bound", || Tour::new().lower_bound(&p))?;
         println!(
             "tour: {:.4} √(nA) at first, {:.4} after {} moves; bound {:.4}, tree {:.4}; ratio {:.4}",
             first.length / (n as f64).sqrt(),
             route.length / (n as f64).sqrt(),
             route.moves,
-            route.lower_bound / (n as f64).sqrt(),
+            bound / (n as f64).sqrt(),
             tree.length() / (n as f64).sqrt(),
-            route.ratio()
+            route.ratio(bound)
         );
     }
     Ok(())

@@ -90,7 +90,7 @@
 //!   vertices, gradients, rasters, contour lines.
 //! - [`classic`]: the classical algorithms, faithful to their texts; [`Log`], [`Scene`], [`Tally`]: their steps,
 //!   played and counted.
-//! - [`predicates`]: the exact signs.
+//! - [`predicates`]: the exact signs. [`on_threads`]: how many threads work, where no setting says so.
 //!
 //! # Features
 //!
@@ -134,6 +134,7 @@ pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use observe::{
     Cut, Event, Failure, Item, Log, NoSuchStep, Observer, Queue, Scene, Stage, Step, Tally,
 };
+pub use parallel::on_threads;
 pub use point::Point;
 pub use pslg::{
     DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,

@@ -1,6 +1,7 @@
 //! Progress and cancellation, polled once in a few thousand steps.
 
 use crate::{Error, Phase, Watch};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Steps between two polls: below 100 ms even if every step takes an exact predicate of 20 µs.
 const STRIDE: u64 = 1 << 12;
@@ -9,7 +10,8 @@ const STRIDE: u64 = 1 << 12;
 pub(crate) struct Pace<'a> {
     watch: &'a dyn Watch,
     phase: Phase,
-    done: u64,
+    /// Changed at once by several [`Strides`] only.
+    done: AtomicU64,
     total: u64,
 }
 
@@ -18,7 +20,7 @@ impl<'a> Pace<'a> {
         Self {
             watch,
             phase,
-            done: 0,
+            done: AtomicU64::new(0),
             total,
         }
     }
@@ -26,11 +28,20 @@ impl<'a> Pace<'a> {
     /// Counts one step.
     #[inline]
     pub(crate) fn step(&mut self) -> Result<(), Error> {
-        self.done += 1;
-        if self.done.is_multiple_of(STRIDE) {
+        let done = self.done.get_mut();
+        *done += 1;
+        if done.is_multiple_of(STRIDE) {
             self.poll()
         } else {
             Ok(())
+        }
+    }
+
+    /// Counts the steps of one of several tasks, which may run at once.
+    pub(crate) fn strides(&self) -> Strides<'_> {
+        Strides {
+            pace: self,
+            steps: 0,
         }
     }
 
@@ -40,7 +51,7 @@ impl<'a> Pace<'a> {
             return Err(Error::Cancelled);
         }
         // The estimate may fall short: it does not know of passes that explain a defect.
-        let done = self.done.min(self.total);
+        let done = self.done.load(Relaxed).min(self.total);
         self.watch.progress(self.phase, done, self.total);
         Ok(())
     }
@@ -48,5 +59,39 @@ impl<'a> Pace<'a> {
     /// Reports the end.
     pub(crate) fn finish(&mut self) {
         self.watch.progress(self.phase, self.total, self.total);
+    }
+}
+
+/// Counts the steps of one task of a phase; the watch is told of those of all.
+pub(crate) struct Strides<'p> {
+    pace: &'p Pace<'p>,
+    /// Not yet added to those of the others.
+    steps: u64,
+}
+
+impl Strides<'_> {
+    /// Counts one step.
+    #[inline]
+    pub(crate) fn step(&mut self) -> Result<(), Error> {
+        self.steps += 1;
+        if self.steps == STRIDE {
+            self.hand_in();
+            self.pace.poll()
+        } else {
+            Ok(())
+        }
+    }
+
+    #[cold]
+    fn hand_in(&mut self) {
+        let steps = std::mem::take(&mut self.steps);
+        self.pace.done.fetch_add(steps, Relaxed);
+    }
+}
+
+/// What is left over counts, too.
+impl Drop for Strides<'_> {
+    fn drop(&mut self) {
+        self.hand_in();
     }
 }

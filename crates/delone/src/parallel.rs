@@ -1,5 +1,7 @@
 //! Splitting work over threads, or not: the one place that knows about `rayon`.
 
+use std::ops::Range;
+
 /// Where work may run: on the current thread, or on those of the surrounding `rayon` pool.
 ///
 /// Results never depend on the number of threads.
@@ -11,6 +13,16 @@ pub(crate) struct Workers {
 impl Workers {
     /// The current thread alone.
     pub const ONE: Self = Self { threads: 1 };
+
+    /// Those of the surrounding pool.
+    pub fn around() -> Self {
+        #[cfg(feature = "rayon")]
+        return Self {
+            threads: rayon::current_num_threads(),
+        };
+        #[cfg(not(feature = "rayon"))]
+        Self::ONE
+    }
 
     /// Runs two tasks, at once if there are threads for it.
     #[inline]
@@ -40,6 +52,19 @@ impl Workers {
         jobs.into_iter().map(work).collect()
     }
 
+    /// Cuts `0..n` into ranges, each long enough to be handed over, one of them if there is one thread, and
+    /// runs `work` on each; the results are in order, or the first error.
+    pub fn ranges<R: Send, E: Send>(
+        self,
+        n: usize,
+        work: impl Fn(Range<usize>) -> Result<R, E> + Send + Sync,
+    ) -> Result<Vec<R>, E> {
+        let len = self.chunk_len(n, 4);
+        let starts = (0..n).step_by(len);
+        let ranges = starts.map(|start| start..n.min(start + len));
+        self.map(ranges.collect(), work).into_iter().collect()
+    }
+
     /// Returns the length of the chunks in which `n` elements are shared out, `per_thread` a thread.
     pub fn chunk_len(self, n: usize, per_thread: usize) -> usize {
         /// Below this, handing work over costs more than doing it.
@@ -51,6 +76,47 @@ impl Workers {
     }
 }
 
+/// Puts lists together that [`ranges`](Workers::ranges) has made; a single one stays where it is.
+pub(crate) fn joined<T: Copy>(mut lists: Vec<Vec<T>>) -> Vec<T> {
+    match &mut lists[..] {
+        [list] => std::mem::take(list),
+        lists => lists.concat(),
+    }
+}
+
+/// Runs `work` with all that it asks of the library on so many threads, unless a number of threads is set
+/// there.
+///
+/// Functions without a setting for threads, such as [`Voronoi::new`](crate::voronoi::Voronoi::new), run on
+/// those of the surrounding `rayon` pool, or else on as many as the machine has. 0 counts as 1. Without the
+/// feature `rayon` there is but the caller's thread. Results do not depend on it.
+///
+/// ```
+/// use delone::voronoi::Voronoi;
+/// let t = delone::triangulate([(0.0, 0.0), (4.0, 0.0), (2.0, 3.0)])?;
+/// let voronoi = delone::on_threads(2, || Voronoi::new(&t, &()))??;
+/// assert_eq!(voronoi.edges().len(), 3);
+/// # Ok::<(), delone::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Threads`](crate::Error::Threads) if so many threads cannot be started.
+///
+/// *Cost*: some 50 µs a thread, which is started and ends with the call, unless the surrounding pool is as
+/// large.
+pub fn on_threads<R: Send>(
+    threads: usize,
+    work: impl FnOnce() -> R + Send,
+) -> Result<R, crate::Error> {
+    #[cfg(feature = "rayon")]
+    return with_pool(threads.clamp(1, MOST_THREADS), |_| work());
+    #[cfg(not(feature = "rayon"))]
+    {
+        let _ = threads;
+        Ok(work())
+    }
+}
+
 /// Runs `work` with the workers that `threads` asks for: `None` stands for all of the surrounding
 /// pool, a number for a pool of that size, made for this call.
 #[cfg(feature = "rayon")]
@@ -59,9 +125,7 @@ pub(crate) fn with_workers<R: Send>(
     work: impl FnOnce(Workers) -> R + Send,
 ) -> Result<R, crate::Error> {
     match threads {
-        None => Ok(work(Workers {
-            threads: rayon::current_num_threads(),
-        })),
+        None => Ok(work(Workers::around())),
         Some(0 | 1) => Ok(work(Workers::ONE)),
         Some(threads) => with_pool(threads.min(MOST_THREADS), work),
     }

@@ -76,6 +76,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "predicates",
             "triangulation",
             "pslg",
+            // Where seeds lie.
+            "locate",
             "delaunay",
             "error",
             "watch",

@@ -481,6 +481,56 @@ fn relaxing_never_raises_the_energy() {
     assert!(relaxed.movement <= 1e-9 && relaxed.energies.len() < 1000);
 }
 
+/// Everything that can be asked of a diagram and of its cells in a domain.
+fn all_of(voronoi: &Voronoi, domain: &Domain) -> impl PartialEq + use<> {
+    let clipped = voronoi.clip(domain, &()).expect("nobody cancels");
+    let sites = || (0..voronoi.sites().len()).map(VertexId::new);
+    let sides = sites().map(|v| voronoi.cell(v).sides().collect::<Vec<_>>());
+    let rings = |v| clipped.parts(v).flat_map(|part| part.rings());
+    let rings = sites().map(|v| rings(v).map(<[Point]>::to_vec).collect::<Vec<_>>());
+    let neighbors = sites().map(|v| clipped.neighbors(v).collect::<Vec<_>>());
+    (
+        voronoi.vertices().to_vec(),
+        voronoi.edges().collect::<Vec<_>>(),
+        sides.collect::<Vec<_>>(),
+        rings.collect::<Vec<_>>(),
+        neighbors.collect::<Vec<_>>(),
+        clipped.energy().to_bits(),
+    )
+}
+
+#[test]
+fn threads_change_nothing() {
+    let mut random = Random::new(8);
+    let outline = star(400, 0.5, 0.6, &mut random);
+    let holes = [0.48, 0.52].map(|center| star(9, center, 1e-3, &mut random));
+    let domain = polygon(&[&[outline], &holes[..]].concat());
+    // Nearly all of a lattice is cocircular, and a third of its points are equal to others.
+    let mut grid = lattice(80_000, 1 << 8, &mut random);
+    for p in &mut grid {
+        *p = Point::new(p.x / 256.0, p.y / 256.0);
+    }
+    for points in [Kind::Uniform.points(70_000, 8), grid] {
+        let t = delone::triangulate(points.iter().copied()).unwrap();
+        let weighted = points.iter().map(|&p| (p, 1e-6 * p.x));
+        let regular = delone::regular::triangulate(weighted).unwrap();
+        let found = |threads: usize| {
+            let work = || {
+                let voronoi = Voronoi::new(&t, &()).unwrap();
+                let power = Voronoi::weighted(&regular, &()).unwrap();
+                let relaxed = Lloyd::new(1).relax(points.iter().copied(), &domain);
+                let power = all_of(&power, &domain);
+                (all_of(&voronoi, &domain), power, relaxed.unwrap())
+            };
+            delone::on_threads(threads, work).unwrap()
+        };
+        let one = found(1);
+        for threads in [2, 3] {
+            assert!(one == found(threads), "{threads} threads");
+        }
+    }
+}
+
 struct Impatient;
 
 impl Watch for Impatient {

@@ -4,7 +4,9 @@ use super::unreadable;
 use crate::exit::Failure;
 use crate::progress::Progress;
 use crate::refinable::Refinable;
-use delone_io::{Column, DomainData, Error, Format, MeshData, PointSet, ReadOptions, Source};
+use delone_io::{
+    Column, DomainData, Error, Format, LeftOut, MeshData, PointSet, ReadOptions, Source,
+};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -290,9 +292,19 @@ impl Input {
 }
 
 fn columns_left_out(set: &PointSet) -> Option<String> {
-    let columns = set.left_out.join(", ");
+    let columns: Vec<String> = set.left_out.iter().map(|c| in_words(c, set)).collect();
+    let columns = columns.join(", ");
     let says = || format!("left out, because they hold no numbers: {columns}");
     (!columns.is_empty()).then(says)
+}
+
+/// Names a column that was left out; if it began with numbers, with what stands there instead, and where.
+fn in_words(left_out: &LeftOut, set: &PointSet) -> String {
+    let LeftOut { name, point, text } = left_out;
+    match set.lines.of(*point) {
+        Some(line) if *point > 0 => format!("{name} (line {line}: {text:?})"),
+        _ => name.clone(),
+    }
 }
 
 /// Tells whether the head of an array declares integers in rows of three.

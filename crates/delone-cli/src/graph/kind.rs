@@ -2,7 +2,7 @@
 
 use crate::numbers;
 use crate::words::{counted, measure};
-use delone::proximity::{Proximity, Tour};
+use delone::proximity::{Proximity, Route, Tour};
 use delone::{Error, VertexId};
 use serde::Serialize;
 use std::str::FromStr;
@@ -50,6 +50,20 @@ pub struct Drawn {
     /// The ends of the edges, in the order in which they are written.
     pub edges: Vec<[VertexId; 2]>,
     pub more: Figures,
+    /// The tour, if it is one.
+    pub tour: Option<Route>,
+}
+
+impl Drawn {
+    /// Adds how short a tour could be at best, if this is one.
+    pub fn find_bound(&mut self, proximity: &Proximity<'_>) -> Result<(), Error> {
+        if let Some(route) = &self.tour {
+            let bound = Tour::new().lower_bound(proximity)?;
+            self.more.lower_bound = Some(bound);
+            self.more.ratio = Some(route.ratio(bound));
+        }
+        Ok(())
+    }
 }
 
 /// What some graphs have and others have not; the fields are keys of `--json`.
@@ -86,8 +100,11 @@ impl Figures {
 
 impl From<Vec<[VertexId; 2]>> for Drawn {
     fn from(edges: Vec<[VertexId; 2]>) -> Self {
-        let more = Figures::default();
-        Self { edges, more }
+        Self {
+            edges,
+            more: Figures::default(),
+            tour: None,
+        }
     }
 }
 
@@ -126,8 +143,6 @@ impl Kind {
 fn tour(proximity: &Proximity<'_>) -> Result<Drawn, Error> {
     let route = Tour::new().plan(proximity)?;
     let more = Figures {
-        lower_bound: Some(route.lower_bound),
-        ratio: Some(route.ratio()),
         moves: Some(route.moves),
         ..Figures::default()
     };
@@ -135,7 +150,8 @@ fn tour(proximity: &Proximity<'_>) -> Result<Drawn, Error> {
         [] | [_] => Vec::new(),
         order => closed(order).collect(),
     };
-    Ok(Drawn { edges, more })
+    let tour = Some(route);
+    Ok(Drawn { edges, more, tour })
 }
 
 /// Finds the boundary of the alpha shape, and edges that belong to it without a triangle.
@@ -161,7 +177,8 @@ fn alpha(proximity: &Proximity<'_>, radius: Option<f64>) -> Result<Drawn, Error>
         .flat_map(|ring| closed(ring))
         .collect();
     edges.extend(shape.singular_edges);
-    Ok(Drawn { edges, more })
+    let tour = None;
+    Ok(Drawn { edges, more, tour })
 }
 
 /// Visits the edges of a ring.

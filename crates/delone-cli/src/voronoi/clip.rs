@@ -8,7 +8,7 @@ use crate::numbers;
 use crate::progress::Progress;
 use crate::task::Task;
 use delone::voronoi::Domain;
-use delone::{ConstrainedDelaunay, Point};
+use delone::{ConstrainedDelaunay, DomainRule, Point};
 use delone_io::PointSet;
 use std::path::{Path, PathBuf};
 
@@ -89,7 +89,8 @@ impl Clipping {
         let (mut domain, unused) = input.domain(progress)?;
         progress.note(&unused);
         let numbering = Numbering::of(&input.name(), &domain);
-        if domain.segments.is_empty() {
+        // Lines without polygons would stand for their convex hull.
+        if domain.segments.is_empty() || domain.usual_rule == DomainRule::Hull {
             return Err(Failure::BadInput(format!(
                 "{}: there is no polygon to clip to; name a file that has one, or a box",
                 numbering.file()

@@ -1,7 +1,7 @@
 //! Where the seeds of holes and regions lie.
 
-use super::draft::{Ahead, Draft};
-use crate::predicates::{Orientation, orient2d};
+use super::draft::Draft;
+use crate::locate::{Location, locate};
 use crate::{HalfEdgeId, Point, TriangleId, VertexId};
 
 /// What a seed stands for.
@@ -15,11 +15,11 @@ pub(super) enum Place {
     Outside,
 }
 
-/// Locates seeds: jumps to the nearest of a sample of vertices, and walks straight from there
-/// (Mücke, Saias and Zhu, *Fast randomized point location without preprocessing*, 1999).
+/// Locates seeds: jumps to the nearest of a sample of vertices, and walks from there (Mücke, Saias and Zhu,
+/// *Fast randomized point location without preprocessing*, 1999). The walk ends in any triangulation of the
+/// convex hull, which this is until it is carved.
 ///
-/// A straight walk ends in any triangulation, constrained or not. *Cost*: O(n^⅓) for the jump, and in
-/// practice as many triangles.
+/// *Cost*: O(n^⅓) for the jump, and in practice as many triangles. Seeds are few, so no index is built.
 pub(super) struct Locator<'a> {
     draft: &'a Draft,
     sample: Vec<VertexId>,
@@ -49,57 +49,16 @@ impl<'a> Locator<'a> {
         nearest.map_or(Place::Outside, |&v| self.walk(v, p))
     }
 
-    fn walk(&self, mut from: VertexId, p: Point) -> Place {
-        let draft = self.draft;
-        while draft.point(from) != p {
-            let next = match draft.ahead(from, p) {
-                Ahead::Outside => return Place::Outside,
-                Ahead::Along(h) => self.along(h, p),
-                Ahead::Across(h) => self.across(from, h, p),
-            };
-            match next {
-                Ok(place) => return place,
-                Err(vertex) => from = vertex,
-            }
-        }
-        self.at_vertex(from)
-    }
-
-    /// Goes along an edge: the place of `p`, or the vertex at its end.
-    fn along(&self, h: HalfEdgeId, p: Point) -> Result<Place, VertexId> {
-        let mesh = &self.draft.mesh;
-        let [a, b] = [mesh.origin(h), mesh.dest(h)].map(|v| self.draft.point(v));
-        if a.lex_cmp(&p) == p.lex_cmp(&b) {
-            Ok(self.on_edge(h))
-        } else {
-            Err(mesh.dest(h))
-        }
-    }
-
-    /// Goes through triangles, first through the one of `exit` towards that half-edge: the place of
-    /// `p`, or a vertex on the way.
-    fn across(&self, from: VertexId, mut exit: HalfEdgeId, p: Point) -> Result<Place, VertexId> {
-        let (draft, mesh) = (self.draft, &self.draft.mesh);
-        loop {
-            match draft.side_of(exit, p) {
-                Orientation::Left => return Ok(Place::In(exit.triangle())),
-                Orientation::Collinear => return Ok(self.on_edge(exit)),
-                Orientation::Right => {}
-            }
-            let entry = mesh.twin(exit);
-            let w = mesh.apex(entry);
-            if w.is_infinite() {
-                return Ok(Place::Outside);
-            }
-            let [start, turn] = [from, w].map(|v| draft.point(v));
-            exit = match orient2d(start, p, turn) {
-                Orientation::Left => entry.next(),
-                Orientation::Right => entry.prev(),
-                Orientation::Collinear if start.lex_cmp(&p) == p.lex_cmp(&turn) => {
-                    return Ok(Place::In(entry.triangle()));
-                }
-                Orientation::Collinear => return Err(w),
-            };
+    /// Walks from a vertex; no answer depends on which one.
+    fn walk(&self, from: VertexId, p: Point) -> Place {
+        let Some(hint) = self.draft.star(from).next() else {
+            return Place::Outside;
+        };
+        match locate(&self.draft.mesh, &self.draft.points, hint, p) {
+            Location::Face(t) | Location::Carved(t) => Place::In(t),
+            Location::Edge(h) => self.on_edge(h),
+            Location::Vertex(v) => self.at_vertex(v),
+            Location::Outside(_) | Location::Beyond(_) | Location::Apart => Place::Outside,
         }
     }
 

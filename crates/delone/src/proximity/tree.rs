@@ -82,7 +82,7 @@ impl SpanningTree<'_> {
 
     /// Returns the sum of all lengths, rounded.
     pub fn length(&self) -> f64 {
-        self.lengths.iter().sum()
+        self.lengths.iter().fold(0.0, |sum, length| sum + length)
     }
 
     /// The edges as half-edges of the triangulation.

@@ -8,7 +8,9 @@ use super::overlay::Overlay;
 use super::parts::{Part, Shapes};
 use super::trace::{Trace, Tracer};
 use crate::pace::Pace;
+use crate::parallel::{Workers, joined};
 use crate::{Error, Phase, Point, VertexId, Watch};
+use std::convert::Infallible;
 
 impl Voronoi {
     /// Clips all cells to a domain.
@@ -27,7 +29,7 @@ impl Voronoi {
             None => self.trace(&Euclidean(&self.sites), domain, &mut pace)?,
         };
         let overlay = Overlay::new(&self.diagram, &self.sites, domain, trace, &mut pace)?;
-        let (shapes, lengths) = overlay.cut(n, &mut pace)?;
+        let (shapes, lengths) = overlay.cut(n, Workers::around(), &pace)?;
         pace.finish();
         Ok(Clipped {
             voronoi: self,
@@ -101,6 +103,17 @@ impl Clipped<'_> {
         Moments::of(parts.flat_map(|part| part.rings())).finish()
     }
 
+    /// Finds something of every site, duplicates included.
+    pub(super) fn of_sites<T: Copy + Send>(&self, find: impl Fn(VertexId) -> T + Sync) -> Vec<T> {
+        let n = self.voronoi.sites.len();
+        let lists = Workers::around().ranges(n, |sites| {
+            let found = sites.map(|site| find(VertexId::new(site)));
+            Ok::<_, Infallible>(found.collect())
+        });
+        let Ok(lists) = lists;
+        joined(lists)
+    }
+
     /// Visits the cells with which a cell shares border within the domain, counter-clockwise, with the
     /// length of that border, rounded.
     pub fn neighbors(&self, site: VertexId) -> impl Iterator<Item = (VertexId, f64)> + '_ {
@@ -123,7 +136,9 @@ impl Clipped<'_> {
             let rings = self.parts(site).flat_map(|part| part.rings());
             rings.map(|ring| second_moment(unit, at, ring)).sum::<f64>()
         };
-        let energy: f64 = sites().map(of_site).sum();
+        // Added up in order, whoever has found them.
+        let energies = self.of_sites(of_site);
+        let energy = sites().fold(0.0, |sum, v| sum + energies[v.index()]);
         unit.length(unit.length(unit.length(unit.length(energy))))
     }
 }

@@ -176,7 +176,8 @@ impl<'a> Cutter<'a> {
 
     /// Adds the cell itself.
     fn add_whole(&mut self) {
-        let points = self.events.iter().filter_map(|&e| self.corner(e)).collect();
+        let mut points = Vec::with_capacity(self.events.len());
+        points.extend(self.events.iter().filter_map(|&e| self.corner(e)));
         self.add_outline(points, None);
     }
 

@@ -10,19 +10,21 @@
 //! circumcenters of a Delaunay triangulation make a Voronoi diagram, power centers of a regular one a
 //! power diagram. What depends on that is a [`Metric`].
 
+use super::assembly::{Edges, Sides, outgoing};
 use crate::pace::Pace;
+use crate::parallel::Workers;
 use crate::predicates::{
     Weighted, bisector_place, compare_distances, compare_meetings, compare_power_meetings,
     compare_powers, power_place, towards,
 };
-use crate::{Error, HalfEdgeId, Mesh, Point, VertexId};
+use crate::{Error, Mesh, Point, VertexId};
 use std::cmp::Ordering;
 
 /// Stands for the end of an edge at infinity, and for the dual vertex of a ghost.
 pub(crate) const AT_INFINITY: u32 = u32::MAX;
 
 /// How far sites are from points, and what follows from it. All but [`place`](Self::place) is exact.
-pub(crate) trait Metric {
+pub(crate) trait Metric: Sync {
     /// Compares how far `p` is from two sites.
     fn compare(&self, p: Point, a: VertexId, b: VertexId) -> Ordering;
 
@@ -152,59 +154,24 @@ impl Diagram {
         num_sites: usize,
         vertices: Vec<Point>,
         dual: &[u32],
-        pace: &mut Pace,
+        workers: Workers,
+        pace: &Pace,
     ) -> Result<Self, Error> {
-        let mut diagram = Self {
+        let (edges, outgoing) = workers.join(
+            || Edges::of(mesh, dual, workers, pace),
+            || outgoing(mesh, num_sites),
+        );
+        let edges = edges?;
+        let lists = workers.ranges(num_sites, |sites| {
+            edges.around(mesh, &outgoing[sites], pace.strides())
+        })?;
+        let (starts, sides) = Sides::joined(lists);
+        Ok(Self {
             vertices,
-            starts: Vec::with_capacity(num_sites + 1),
-            ..Self::default()
-        };
-        let side_of = diagram.add_edges(mesh, dual, pace)?;
-        let outgoing = outgoing(mesh, num_sites);
-        for start in outgoing {
-            pace.step()?;
-            diagram.starts.push(diagram.sides.len() as u32);
-            let from = diagram.sides.len();
-            let star = start.into_iter().flat_map(|h| mesh.star(h));
-            let sides = star.map(|h| side_of[h.index()]);
-            diagram.sides.extend(sides.filter(|&side| side != NO_SIDE));
-            diagram.begin_at_infinity(from);
-        }
-        diagram.starts.push(diagram.sides.len() as u32);
-        Ok(diagram)
-    }
-
-    /// Lists the edges, and for each half-edge of the mesh that has one its side at the origin.
-    fn add_edges(&mut self, mesh: &Mesh, dual: &[u32], pace: &mut Pace) -> Result<Vec<u32>, Error> {
-        let mut side_of = vec![NO_SIDE; 3 * mesh.num_faces()];
-        for h in mesh.half_edges() {
-            let twin = mesh.twin(h);
-            let sites = [mesh.origin(h), mesh.dest(h)];
-            if twin < h || sites.iter().any(|v| v.is_infinite()) {
-                continue;
-            }
-            pace.step()?;
-            // Turning counter-clockwise about the origin, the face to the left of `h` comes later.
-            let ends = [twin, h].map(|h| dual[h.triangle().index()]);
-            if ends[0] != ends[1] || ends[0] == AT_INFINITY {
-                let side = 2 * self.edges.len() as u32;
-                side_of[h.index()] = side;
-                side_of[twin.index()] = side + 1;
-                self.edges.push(DualEdge { sites, ends });
-            }
-        }
-        Ok(side_of)
-    }
-
-    /// Turns the last cell, whose sides begin at `from`, until its first side begins at infinity, if
-    /// one does.
-    fn begin_at_infinity(&mut self, from: usize) {
-        let sides = from..self.sides.len();
-        let first = sides.clone().position(|i| {
-            let [start, _] = self.ends(side(self.sides[i]));
-            start == AT_INFINITY
-        });
-        self.sides[sides].rotate_left(first.unwrap_or(0));
+            edges: edges.edges,
+            starts,
+            sides,
+        })
     }
 
     /// Visits the sides of a cell, counter-clockwise; if one begins at infinity, such a one first.
@@ -233,25 +200,10 @@ impl Diagram {
     }
 }
 
-/// Marks half-edges of the mesh without an edge of the diagram.
-const NO_SIDE: u32 = u32::MAX;
-
 #[inline]
-fn side(number: u32) -> Side {
+pub(super) fn side(number: u32) -> Side {
     Side {
         edge: number >> 1,
         is_reversed: number & 1 == 1,
     }
-}
-
-/// Finds for each vertex a half-edge that begins there.
-fn outgoing(mesh: &Mesh, num_sites: usize) -> Vec<Option<HalfEdgeId>> {
-    let mut table = vec![None; num_sites];
-    for h in mesh.half_edges() {
-        let origin = mesh.origin(h);
-        if !origin.is_infinite() {
-            table[origin.index()] = Some(h);
-        }
-    }
-    table
 }

@@ -5,7 +5,7 @@
 //! the sites spread evenly, ever more slowly, until each is the centroid of its cell.
 
 use super::{Clipped, Domain, Voronoi};
-use crate::{Delaunay, Error, Phase, Point, VertexId, Watch};
+use crate::{Delaunay, Error, Phase, Point, Watch};
 
 /// How to relax points.
 ///
@@ -101,8 +101,8 @@ impl<'w> Lloyd<'w> {
 /// Moves all points to the centroids of their cells, and returns how far at most.
 fn advance(points: &mut [Point], clipped: &Clipped<'_>) -> f64 {
     let mut most: f64 = 0.0;
-    for (i, point) in points.iter_mut().enumerate() {
-        let centroid = clipped.measure(VertexId::new(i)).centroid;
+    let centroids = clipped.of_sites(|site| clipped.measure(site).centroid);
+    for (point, centroid) in points.iter_mut().zip(centroids) {
         if centroid.is_finite() {
             most = most.max(super::measure::distance(*point, centroid));
             *point = centroid;

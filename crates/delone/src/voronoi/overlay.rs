@@ -22,9 +22,11 @@ use super::domain::Domain;
 use super::measure::distance;
 use super::parts::Shapes;
 use super::trace::Trace;
-use crate::pace::Pace;
+use crate::pace::{Pace, Strides};
+use crate::parallel::{Workers, joined};
 use crate::{Error, Point, VertexId};
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// The level of an edge that has not been reached yet.
 const UNKNOWN: i32 = i32::MIN;
@@ -172,22 +174,41 @@ impl<'a> Overlay<'a> {
     }
 
     /// Cuts out all cells, and measures how much of each edge lies in the domain.
-    pub fn cut(self, num_sites: usize, pace: &mut Pace) -> Result<(Shapes, Vec<f64>), Error> {
+    pub fn cut(
+        &self,
+        num_sites: usize,
+        workers: Workers,
+        pace: &Pace,
+    ) -> Result<(Shapes, Vec<f64>), Error> {
+        let shapes = workers.ranges(num_sites, |sites| self.cut_some(sites, pace.strides()))?;
+        let mut shapes = shapes.into_iter();
+        let mut all = shapes.next().unwrap_or_default();
+        shapes.for_each(|shapes| all.append(&shapes));
+        let lengths = workers.ranges(self.diagram.edges.len(), |edges| {
+            let lengths = edges.map(|edge| self.length_inside(edge as u32));
+            Ok(lengths.collect())
+        })?;
+        Ok((all, joined(lengths)))
+    }
+
+    /// Cuts out some cells.
+    fn cut_some(&self, sites: Range<usize>, mut strides: Strides) -> Result<Shapes, Error> {
         let mut shapes = Shapes::default();
-        let mut cutter = Cutter::new(&self);
+        let mut cutter = Cutter::new(self);
+        let first = VertexId::new(sites.start);
+        let cell_of = |&i: &u32| self.trace.chains[i as usize].cell;
         let (mut chains, mut inner) = (&self.by_cell[..], &self.inner[..]);
-        for site in (0..num_sites).map(VertexId::new) {
-            pace.step()?;
-            let of_cell = |&i: &u32| self.trace.chains[i as usize].cell == site;
-            let number = chains.iter().take_while(|i| of_cell(i)).count();
+        chains = &chains[chains.partition_point(|i| cell_of(i) < first)..];
+        inner = &inner[inner.partition_point(|&(cell, _)| cell < first)..];
+        for site in sites.map(VertexId::new) {
+            strides.step()?;
+            let number = chains.iter().take_while(|i| cell_of(i) == site).count();
             let rings = inner.iter().take_while(|(cell, _)| *cell == site).count();
             cutter.cut(site, number > 0, &inner[..rings], &mut shapes);
             (chains, inner) = (&chains[number..], &inner[rings..]);
             shapes.end_cell();
         }
-        let edges = 0..self.diagram.edges.len() as u32;
-        let lengths = edges.map(|edge| self.length_inside(edge)).collect();
-        Ok((shapes, lengths))
+        Ok(shapes)
     }
 
     /// Measures how much of an edge lies in the domain.

@@ -41,6 +41,14 @@ impl Shapes {
         self.cells.push(self.parts.len() - 1);
     }
 
+    /// Adds the cells of others behind these.
+    pub fn append(&mut self, others: &Self) {
+        append(&mut self.rings, &others.rings);
+        append(&mut self.parts, &others.parts);
+        append(&mut self.cells, &others.cells);
+        self.points.extend_from_slice(&others.points);
+    }
+
     /// Visits the parts of a cell.
     pub fn parts(&self, cell: usize) -> impl ExactSizeIterator<Item = Part<'_>> + Clone {
         (self.cells[cell]..self.cells[cell + 1]).map(|part| Part {
@@ -48,6 +56,12 @@ impl Shapes {
             rings: self.parts[part]..self.parts[part + 1],
         })
     }
+}
+
+/// Adds where more things end to a list that begins with 0.
+fn append(ends: &mut Vec<usize>, more: &[usize]) {
+    let before = ends[ends.len() - 1];
+    ends.extend(more[1..].iter().map(|end| before + end));
 }
 
 /// A connected part of a clipped cell: a polygon, perhaps with holes.

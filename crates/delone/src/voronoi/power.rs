@@ -5,11 +5,10 @@
 //! more than tied has a cell without area: a point, which has no sides, or a line.
 
 use super::Voronoi;
-use super::diagram::{Diagram, Power};
-use super::dual::Dual;
-use crate::pace::Pace;
+use super::diagram::Power;
+use super::dual::dual;
 use crate::regular::Regular;
-use crate::{Error, Phase, Watch};
+use crate::{Error, Watch};
 
 impl Voronoi {
     /// Makes the power diagram of a regular triangulation: each place belongs to the site of least power,
@@ -36,19 +35,14 @@ impl Voronoi {
     /// *Cost*: linear; about 0.5 µs a site.
     pub fn weighted(regular: &Regular, watch: &dyn Watch) -> Result<Self, Error> {
         let t = regular.triangulation();
-        let mesh = t.mesh();
-        let mut pace = Pace::new(watch, Phase::Voronoi, 3 * mesh.num_faces() as u64);
         let sites = Power {
             points: t.points(),
             weights: regular.weights(),
         };
-        let dual = Dual::of(mesh, &sites, &mut pace)?.expect("bug: not regular");
-        let n = t.points().len();
-        let diagram = Diagram::new(mesh, n, dual.vertices, &dual.of_face, &mut pace)?;
-        pace.finish();
+        let diagram = dual(t.mesh(), t.points().len(), &sites, watch)?;
         Ok(Self {
             sites: t.points().to_vec(),
-            diagram,
+            diagram: diagram.expect("bug: not regular"),
             duplicates: Vec::new(),
             weights: Some(regular.weights().to_vec()),
             hidden: regular.hidden().to_vec(),

@@ -1,10 +1,9 @@
 //! The diagram as it is handed out.
 
 use super::diagram::{AT_INFINITY, Diagram, Euclidean, Metric, Power, Side};
-use super::dual::Dual;
+use super::dual::dual;
 use super::measure::{Measure, Moments, difference, length};
-use crate::pace::Pace;
-use crate::{Delaunay, Duplicate, Error, Phase, Point, Triangulation, VertexId, Watch};
+use crate::{Delaunay, Duplicate, Error, Point, Triangulation, VertexId, Watch};
 use std::borrow::Cow;
 
 /// The Voronoi diagram of the vertices of a triangulation; site `i` is point `i`.
@@ -77,21 +76,17 @@ impl Voronoi {
     ///
     /// *Cost*: linear; about 0.7 µs a site.
     pub fn new(triangulation: &Triangulation, watch: &dyn Watch) -> Result<Self, Error> {
-        let faces = triangulation.mesh().num_faces() as u64;
-        let mut pace = Pace::new(watch, Phase::Voronoi, 3 * faces);
         let points = triangulation.points();
-        let (t, dual) = match Dual::of(triangulation.mesh(), &Euclidean(points), &mut pace)? {
-            Some(dual) => (Cow::Borrowed(triangulation), dual),
+        let dual = |t: &Triangulation| dual(t.mesh(), points.len(), &Euclidean(points), watch);
+        let (t, diagram) = match dual(triangulation)? {
+            Some(diagram) => (Cow::Borrowed(triangulation), diagram),
             None => {
                 let builder = Delaunay::new().watch(watch);
                 let t = builder.triangulate(points.iter().copied())?;
-                let dual = Dual::of(t.mesh(), &Euclidean(points), &mut pace)?;
-                (Cow::Owned(t), dual.expect("bug: not Delaunay"))
+                let diagram = dual(&t)?.expect("bug: not Delaunay");
+                (Cow::Owned(t), diagram)
             }
         };
-        let Dual { vertices, of_face } = dual;
-        let diagram = Diagram::new(t.mesh(), points.len(), vertices, &of_face, &mut pace)?;
-        pace.finish();
         Ok(Self {
             sites: points.to_vec(),
             diagram,

@@ -47,8 +47,6 @@ pub(super) struct Improvement<'s> {
     done: Vec<[u32; 4]>,
     longest_flip: usize,
     pub moves: u64,
-    /// Whether no tour is shorter.
-    pub is_best: bool,
 }
 
 impl<'s> Improvement<'s> {
@@ -62,14 +60,12 @@ impl<'s> Improvement<'s> {
             done: Vec::new(),
             longest_flip: LONGEST_FLIP,
             moves: 0,
-            is_best: false,
         }
     }
 
     /// Moves until no site wants to any more, then tries so many kicks; says whether it came to that.
     pub fn run(&mut self, budget: &mut Limits, kicks: u64) -> Result<bool, Error> {
-        // With fewer sites parts of the tour would overlap their surroundings.
-        if self.sites.len() < 8 {
+        if is_tiny(self.sites) {
             self.run_tiny();
             return Ok(true);
         }
@@ -253,7 +249,6 @@ impl<'s> Improvement<'s> {
             }
         }
         self.moves = u64::from(!best.1.is_sorted());
-        self.is_best = true;
         self.cycle = Cycle::of(best.1);
     }
 
@@ -279,6 +274,20 @@ impl<'s> Improvement<'s> {
         order.retain(|&site| self.sites.kind() == Kind::Closed || site != nowhere);
         order
     }
+}
+
+/// Finds the shortest tour, if there are so few sites that it can be found.
+pub(super) fn shortest(sites: &Sites) -> Option<Vec<u32>> {
+    is_tiny(sites).then(|| {
+        let mut improvement = Improvement::new(sites);
+        improvement.run_tiny();
+        improvement.into_order()
+    })
+}
+
+/// Tells whether there are so few sites that parts of the tour would overlap their surroundings.
+fn is_tiny(sites: &Sites) -> bool {
+    sites.len() < 8
 }
 
 /// Goes on to the lexicographically next order; `false` after the last one.

@@ -7,7 +7,7 @@
 //!    neighbour in the triangulation, a queue of vertices to look at (Bentley, *Fast algorithms for
 //!    geometric traveling salesman problems*, 1992), until none is left; then kicks, each undone unless
 //!    moves make something better of it; or until the budget is spent.
-//! 3. *Bound* (`bound.rs`): no tour is shorter than what is returned with it.
+//! 3. *Bound* (`bound.rs`), if asked for: no tour is shorter.
 //!
 //! *Rounded.* Distances are whole multiples of 2⁻⁵⁸ of the extent; every move makes the sum of these
 //! integers smaller, so the work ends, and the result is the same on every machine. Vertices closer than
@@ -37,10 +37,11 @@ use std::time::{Duration, Instant};
 /// use delone::proximity::{Proximity, Tour};
 /// let corners = [(0.0, 0.0), (2.0, 1.0), (2.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)];
 /// let t = delone::triangulate(corners)?;
-/// let route = Tour::new().start(1).plan(&Proximity::new(&t, &())?)?;
+/// let (proximity, tour) = (Proximity::new(&t, &())?, Tour::new().start(1));
+/// let route = tour.plan(&proximity)?;
 /// assert_eq!(route.order, [1, 2, 4, 0, 3, 5].map(Into::into));
 /// assert_eq!(route.length, 6.0);
-/// assert!(route.lower_bound >= 5.0 && route.lower_bound <= 6.0);
+/// assert_eq!(route.ratio(tour.lower_bound(&proximity)?), 1.0); // there is no shorter one
 /// # Ok::<(), delone::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,15 +53,13 @@ pub struct Tour {
     time: Option<Duration>,
 }
 
-/// A tour, and how much shorter one could be at most.
+/// A tour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Route {
     /// The vertices as they are visited, each once; a closed tour returns to the first one.
     pub order: Vec<VertexId>,
     /// The length, rounded.
     pub length: f64,
-    /// No tour of this kind is shorter, up to rounding.
-    pub lower_bound: f64,
     /// How many moves were made, undone ones included.
     pub moves: u64,
     /// Whether all was tried, rather than the budget spent.
@@ -68,13 +67,13 @@ pub struct Route {
 }
 
 impl Route {
-    /// Returns length by lower bound, 1 if both are zero: the tour is at most so many times as long as the
-    /// shortest.
-    pub fn ratio(&self) -> f64 {
-        if self.length == self.lower_bound {
+    /// Returns length by [lower bound](Tour::lower_bound), 1 if both are zero: the tour is at most so many
+    /// times as long as the shortest.
+    pub fn ratio(&self, lower_bound: f64) -> f64 {
+        if self.length == lower_bound {
             1.0
         } else {
-            self.length / self.lower_bound
+            self.length / lower_bound
         }
     }
 }
@@ -133,20 +132,14 @@ impl Tour {
     /// [`Error::NoSuchVertex`] if the start does not exist; [`Error::Cancelled`].
     pub fn plan(self, proximity: &Proximity) -> Result<Route, Error> {
         let begin = Instant::now();
-        let start = self.start_in(proximity)?;
-        let sorted = proximity.sorted_edges()?;
-        let tree = proximity.tree_of(&sorted)?;
-        let Some(start) = start else {
+        let Some(sites) = self.sites(proximity)? else {
             return Ok(Route {
                 order: Vec::new(),
                 length: 0.0,
-                lower_bound: 0.0,
                 moves: 0,
                 is_settled: true,
             });
         };
-        let order = start::around(proximity, &tree, start)?;
-        let sites = Sites::new(proximity, order, &sorted, self.kind());
         let mut improvement = Improvement::new(&sites);
         let deadline = self.time.map(|time| begin + time);
         let kicks = self.kicks.unwrap_or(sites.len() as u64);
@@ -154,21 +147,43 @@ impl Tour {
         let mut limits = Limits::new(self.moves, deadline, work, proximity.watch);
         let is_settled = improvement.run(&mut limits, kicks)?;
         let moves = improvement.moves;
-        let is_best = improvement.is_best;
         let order = improvement.into_order();
         let length = sites.length(&order);
-        let lower_bound = if is_best {
-            length
-        } else {
-            bound::lower_bound(&sites, proximity.watch)?
-        };
         Ok(Route {
             length: sites.restored(length),
             order: sites.named(order),
-            lower_bound: sites.restored(lower_bound),
             moves,
             is_settled,
         })
+    }
+
+    /// Finds a length that no tour of this kind, with this start, falls short of, up to rounding. Budgets do
+    /// not matter.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan).
+    ///
+    /// *Cost*: 30 spanning trees and a search, about as long as planning.
+    pub fn lower_bound(self, proximity: &Proximity) -> Result<f64, Error> {
+        let Some(sites) = self.sites(proximity)? else {
+            return Ok(0.0);
+        };
+        let bound = match improve::shortest(&sites) {
+            Some(best) => sites.length(&best),
+            None => bound::lower_bound(&sites, proximity.watch)?,
+        };
+        Ok(sites.restored(bound))
+    }
+
+    /// Takes the first tour, around the spanning tree; `None` if there is no vertex.
+    fn sites(self, proximity: &Proximity) -> Result<Option<Sites>, Error> {
+        let Some(start) = self.start_in(proximity)? else {
+            return Ok(None);
+        };
+        let sorted = proximity.sorted_edges()?;
+        let tree = proximity.tree_of(&sorted)?;
+        let order = start::around(proximity, &tree, start)?;
+        Ok(Some(Sites::new(proximity, order, &sorted, self.kind())))
     }
 
     /// The vertex to begin with; `None` if there is no vertex.
