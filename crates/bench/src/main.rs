@@ -1,5 +1,6 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
+mod peers_option;
 mod queries_command;
 mod refine_command;
 
