@@ -6,7 +6,7 @@ use std::time::Duration;
 #[derive(Clone, Copy, Debug, PartialEq, clap::Args)]
 pub struct Effort {
     /// Processes that count for each cell
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 3)]
     pub runs: usize,
     /// Processes discarded before them
     #[arg(long, default_value_t = 1)]

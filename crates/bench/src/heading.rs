@@ -5,7 +5,7 @@ use crate::table::Table;
 use serde::Serialize;
 use std::fmt;
 
-/// Under which conditions something was measured.
+/// Under which conditions, and by whom, something was measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct Heading {
     /// How the program was called.
@@ -24,31 +24,25 @@ pub struct Contender {
     /// Which version it is.
     pub version: String,
     /// What is called.
-    pub timed: &'static str,
+    pub timed: String,
 }
 
-impl Heading {
-    fn table(&self) -> Table {
-        let mut table = Table::new(["engine", "version", "timed"]).with_text_columns(3);
-        for Contender {
-            name,
-            version,
-            timed,
-        } in &self.contenders
-        {
-            table.push(vec![name.clone(), version.clone(), (*timed).to_owned()]);
-        }
-        table
+/// Lists contenders.
+pub fn table(contenders: impl IntoIterator<Item = Contender>) -> Table {
+    let mut table = Table::new(["engine", "version", "timed"]).with_text_columns(3);
+    for contender in contenders {
+        table.push(vec![contender.name, contender.version, contender.timed]);
     }
+    table
 }
 
 impl fmt::Display for Heading {
-    /// Writes Markdown.
+    /// Writes command and machine in Markdown.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "`{}`\n", self.command)?;
         for (label, value) in self.machine.entries() {
             writeln!(f, "- {label}: {value}")?;
         }
-        writeln!(f, "\n{}", self.table())
+        Ok(())
     }
 }

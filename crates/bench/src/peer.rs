@@ -13,7 +13,7 @@ pub trait Peer: Copy + Display {
     fn crate_version(self) -> Option<&'static str>;
 
     /// Says what is called, and what it is asked for.
-    fn timed(self) -> &'static str;
+    fn timed(self) -> String;
 
     /// Describes it for the heading of a report.
     fn contender(self, python: Option<&Python>) -> Contender {

@@ -30,6 +30,11 @@ impl Script {
         name: "refine.py",
         text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers/refine.py")),
     };
+    /// Answers queries.
+    pub const QUERIES: Self = Self {
+        name: "queries.py",
+        text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers/queries.py")),
+    };
 
     fn write_to(self, folder: &Path) -> io::Result<PathBuf> {
         let path = folder.join(self.name);

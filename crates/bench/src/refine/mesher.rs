@@ -56,8 +56,8 @@ impl Peer for Mesher {
         }
     }
 
-    fn timed(self) -> &'static str {
-        match self {
+    fn timed(self) -> String {
+        let timed = match self {
             Self::Delone { .. } => {
                 "`Refinement::mesh`: triangles, neighbours, constrained edges, report"
             }
@@ -71,7 +71,8 @@ impl Peer for Mesher {
                 "`generate(2)` of its own geometry; no bounds: the size is the edge of the \
                  equilateral triangle, and no angle is asked for"
             }
-        }
+        };
+        timed.to_owned()
     }
 }
 

@@ -7,7 +7,7 @@ use super::goal::Load;
 use super::mesher::Mesher;
 use super::plan::{Cell, Plan};
 use super::targets::{self, ratio};
-use crate::heading::Heading;
+use crate::heading::{self, Heading};
 use crate::measure::Memory;
 use crate::process::Fault;
 use crate::stats::{median, size_name};
@@ -117,6 +117,8 @@ impl Report {
 
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
         writeln!(out, "{}", self.heading)?;
+        let contenders = self.heading.contenders.iter().cloned();
+        writeln!(out, "{}", heading::table(contenders))?;
         writeln!(out, "Each mesh {}.\n", self.plan.effort.in_words())?;
         for &load in &self.plan.loads {
             writeln!(out, "### {}\n", title(load))?;
