@@ -5,7 +5,7 @@ use crate::measure::under_the_clock;
 use crate::queries::bounds::Bounds;
 use crate::queries::job::Answer;
 use delone::voronoi::{Domain, Voronoi};
-use delone::{Delaunay, Error, VertexId};
+use delone::{Delaunay, Error};
 
 impl Asked<'_> {
     /// The triangulation may use threads; the diagram and its clipping do not.
@@ -19,9 +19,10 @@ impl Asked<'_> {
         let clip = || voronoi.clip(&Domain::rectangle(bounds.low, bounds.high)?, &());
         let (clipped, cut) = under_the_clock(clip);
         let clipped = clipped.map_err(say)?;
-        // In a rectangle no cell has more than one part.
-        let sites = (0..self.input.points.len()).map(VertexId::new);
-        let cells = sites.flat_map(|site| clipped.parts(site)).map(|part| {
+        // In a rectangle no cell has more than one part; equal points have one cell together.
+        let sites: Vec<_> = voronoi.cells().map(|cell| cell.site()).collect();
+        let parts = sites.iter().flat_map(|&site| clipped.parts(site));
+        let cells = parts.map(|part| {
             let corners = part.outline().iter();
             corners.map(|&p| p.into()).collect::<Vec<[f64; 2]>>()
         });
