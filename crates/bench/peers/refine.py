@@ -13,59 +13,15 @@ one by one, as its module offers nothing else.
 """
 
 import ctypes
-import importlib.metadata
 import json
 import math
-import resource
-import sys
-import time
+
+from clock import begin, under_the_clock
 
 PACKAGES = ["triangle", "cgal", "gmsh"]
 
 # An angle or area that misses its bound by less is counted as rounding.
 SLACK = 1e-9
-
-
-def versions():
-    found = {}
-    for package in PACKAGES:
-        try:
-            importlib.metadata.version("numpy")
-            found[package] = importlib.metadata.version(package)
-        except importlib.metadata.PackageNotFoundError:
-            found[package] = None
-    return found
-
-
-def status_bytes(key):
-    try:
-        with open("/proc/self/status") as status:
-            lines = [line for line in status if line.startswith(key)]
-        return int(lines[0].split()[1]) * 1024
-    except (OSError, IndexError):
-        return None
-
-
-def under_the_clock(work):
-    """Returns the result of `work`, and what it took in the words of the table maker."""
-    try:
-        with open("/proc/self/clear_refs", "w") as peak:
-            peak.write("5")
-    except OSError:
-        pass
-    before = status_bytes("VmRSS:")
-    processor = resource.getrusage(resource.RUSAGE_SELF)
-    start = time.perf_counter()
-    result = work()
-    seconds = time.perf_counter() - start
-    spent = resource.getrusage(resource.RUSAGE_SELF)
-    memory = {"before": before, "peak": status_bytes("VmHWM:"), "after": status_bytes("VmRSS:")}
-    return result, {
-        "seconds": seconds,
-        "user": spent.ru_utime - processor.ru_utime,
-        "system": spent.ru_stime - processor.ru_stime,
-        "memory": None if None in memory.values() else memory,
-    }
 
 
 def quality(corners, angle, area):
@@ -242,11 +198,8 @@ def main(peer, path, angle, area, mode):
     engine = {"triangle": Triangle, "cgal": Cgal, "gmsh": Gmsh}[peer](domain, angle, area)
     _, answer = under_the_clock(engine.refine)
     answer["quality"] = quality(engine.corners(), angle, area) if mode == "check" else None
-    print(json.dumps(answer))
+    return answer
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["versions"]:
-        print(json.dumps(versions()))
-    else:
-        main(*sys.argv[1:])
+    begin(PACKAGES, main)

@@ -1,5 +1,6 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
+mod peers_option;
 mod queries_command;
 mod refine_command;
 
@@ -36,7 +37,7 @@ enum Action {
     Profile(Profile),
     /// Measures refinement of outlines to meshes
     Refine(refine_command::Options),
-    /// Measures queries: where points lie, what is nearest to them
+    /// Measures queries, cells, surfaces and edits
     Queries(queries_command::Options),
     /// Does one job in this process and prints what it found as JSON; the table maker calls this
     #[command(hide = true)]

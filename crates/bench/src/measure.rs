@@ -23,6 +23,23 @@ pub struct Cost {
     pub memory: Option<Memory>,
 }
 
+impl Cost {
+    /// Returns what this and then `next` took.
+    pub fn and_then(self, next: Self) -> Self {
+        let memory = self.memory.zip(next.memory);
+        Self {
+            seconds: self.seconds + next.seconds,
+            user: self.user + next.user,
+            system: self.system + next.system,
+            memory: memory.map(|(first, last)| Memory {
+                before: first.before,
+                peak: first.peak.max(last.peak),
+                after: last.after,
+            }),
+        }
+    }
+}
+
 /// One triangulation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {

@@ -2,6 +2,7 @@
 //! allocation of an engine reaches the table maker.
 
 use serde::de::DeserializeOwned;
+use serde::{Serialize, Serializer};
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -9,7 +10,8 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// Why a job has no answer, or none that counts.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Fault {
     /// It did not get through, or what it answered is wrong: `how` in a word or two (`panic`, `error`,
     /// `signal 6`).
@@ -20,7 +22,12 @@ pub enum Fault {
         message: String,
     },
     /// It was stopped after the given time.
+    #[serde(serialize_with = "in_seconds")]
     TimedOut(Duration),
+}
+
+fn in_seconds<S: Serializer>(limit: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(limit.as_secs_f64())
 }
 
 impl Fault {

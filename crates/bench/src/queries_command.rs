@@ -1,18 +1,23 @@
 //! The subcommand `queries`.
 
+use crate::peers_option::{PythonOption, reachable};
 use clap::Args;
+use delone_bench::effort::Effort;
+use delone_bench::heading::Heading;
 use delone_bench::machine::Machine;
+use delone_bench::peer::Peer;
 use delone_bench::process::Launcher;
+use delone_bench::python::{Python, Script};
 use delone_bench::queries::engine::Engine;
 use delone_bench::queries::plan::Plan;
 use delone_bench::queries::question::Question;
 use delone_bench::queries::report::Report;
 use delone_bench::stats::parse_size;
+use delone_bench::workshop::Workshop;
 use delone_samples::Distribution;
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// Options of the subcommand.
 #[derive(Args)]
@@ -21,66 +26,64 @@ pub struct Options {
     #[arg(long, value_delimiter = ',')]
     questions: Vec<Question>,
     /// Kinds of points
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "uniform,kuzmin,lonlat,grid"
-    )]
+    #[arg(long, value_delimiter = ',', default_value = "uniform")]
     distributions: Vec<Distribution>,
     /// Number of points, and of queries
     #[arg(long, value_parser = parse_size, default_value = "1M")]
     size: usize,
-    /// Peers [default: all that can be asked]
+    /// Peers [default: all that can be reached]
     #[arg(long, value_delimiter = ',')]
     peers: Option<Vec<Engine>>,
+    #[command(flatten)]
+    python: PythonOption,
     /// Numbers of threads for Delone
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
     threads: Vec<NonZeroUsize>,
-    /// Processes that count for each cell
-    #[arg(long, default_value_t = 5)]
-    runs: usize,
-    /// Processes discarded before them
-    #[arg(long, default_value_t = 1)]
-    warmups: usize,
-    /// Seed of the points
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// Seconds that one process may take
-    #[arg(long, default_value_t = 60)]
-    timeout: u64,
+    #[command(flatten)]
+    effort: Effort,
     /// Also writes every single run to this file
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
-/// Measures, and prints the tables.
+/// Measures, and prints the tables, each as soon as it can be.
 ///
 /// # Errors
 /// If this program cannot be found, or a file not be written.
 pub fn print_tables(options: Options, command: String) -> Result<(), Box<dyn Error>> {
     let machine = Machine::inspect();
     let json = options.json.clone();
-    let plan = plan(options);
-    let cells = plan.run(&Launcher::this_program()?, &mut |group| {
-        eprintln!("{group}")
-    });
-    let report = Report {
-        plan,
-        machine,
-        command,
-        cells,
+    let peers = options.peers.clone().unwrap_or(Engine::PEERS.to_vec());
+    let workshop = Workshop {
+        launcher: Launcher::this_program()?,
+        python: options.python.find(&peers, Script::QUERIES),
     };
+    let python = workshop.python.as_ref();
+    let plan = plan(options, peers, python);
+    let contenders = plan.engines.iter().map(|engine| engine.contender(python));
+    let heading = Heading {
+        command,
+        machine,
+        contenders: contenders.collect(),
+    };
+    let report = Report { plan, heading };
+    println!("{}", report.beginning());
+    let cells = report.plan.run(
+        &workshop,
+        &mut |group| eprintln!("{group}"),
+        &mut |room, cells| print!("{}", report.room(room, cells)),
+    );
     if let Some(path) = json {
-        std::fs::write(path, serde_json::to_string_pretty(&report.to_json())?)?;
+        let json = report.to_json(&cells);
+        std::fs::write(path, serde_json::to_string_pretty(&json)?)?;
     }
-    print!("{}", report.to_markdown());
     Ok(())
 }
 
-fn plan(options: Options) -> Plan {
+fn plan(options: Options, peers: Vec<Engine>, python: Option<&Python>) -> Plan {
     let threads = options.threads.into_iter().map(NonZeroUsize::get);
     let ours = threads.map(|threads| Engine::Delone { threads });
-    let peers = options.peers.unwrap_or(Engine::PEERS.to_vec());
+    let peers = reachable(peers, python);
     Plan {
         engines: ours.chain([Engine::Singly]).chain(peers).collect(),
         questions: match options.questions.is_empty() {
@@ -89,9 +92,6 @@ fn plan(options: Options) -> Plan {
         },
         distributions: options.distributions,
         size: options.size,
-        seed: options.seed,
-        warmups: options.warmups,
-        runs: options.runs,
-        timeout: Duration::from_secs(options.timeout),
+        effort: options.effort,
     }
 }

@@ -1,17 +1,21 @@
 //! The subcommand `refine`.
 
+use crate::peers_option::{PythonOption, reachable};
 use clap::Args;
+use delone_bench::effort::Effort;
+use delone_bench::heading::Heading;
 use delone_bench::machine::Machine;
+use delone_bench::peer::Peer;
 use delone_bench::process::Launcher;
+use delone_bench::python::{Python, Script};
 use delone_bench::refine::goal::{Load, Outline};
 use delone_bench::refine::mesher::Mesher;
-use delone_bench::refine::plan::{Plan, Workshop};
-use delone_bench::refine::python::Python;
+use delone_bench::refine::plan::Plan;
 use delone_bench::refine::report::Report;
+use delone_bench::workshop::Workshop;
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// Options of the subcommand.
 #[derive(Args)]
@@ -28,24 +32,13 @@ pub struct Options {
     /// Peers [default: all that can be reached]
     #[arg(long, value_delimiter = ',')]
     peers: Option<Vec<Mesher>>,
-    /// Python with the packages triangle, cgal, gmsh and numpy, or some of them
-    #[arg(long, value_name = "PATH", default_value = "python3")]
-    python: PathBuf,
+    #[command(flatten)]
+    python: PythonOption,
     /// Numbers of threads for Delone
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
     threads: Vec<NonZeroUsize>,
-    /// Processes that count for each cell
-    #[arg(long, default_value_t = 5)]
-    runs: usize,
-    /// Processes discarded before them
-    #[arg(long, default_value_t = 1)]
-    warmups: usize,
-    /// Seed of the outlines
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// Seconds that one mesh may take
-    #[arg(long, default_value_t = 60)]
-    timeout: u64,
+    #[command(flatten)]
+    effort: Effort,
     /// Also writes every single run to this file
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -64,17 +57,23 @@ fn angle(text: &str) -> Result<f64, String> {
 pub fn print_tables(options: Options, command: String) -> Result<(), Box<dyn Error>> {
     let machine = Machine::inspect();
     let json = options.json.clone();
+    let peers = options.peers.clone().unwrap_or(Mesher::PEERS.to_vec());
     let workshop = Workshop {
         launcher: Launcher::this_program()?,
-        python: find_python(&options),
+        python: options.python.find(&peers, Script::REFINE),
     };
-    let plan = plan(options, workshop.python.as_ref());
+    let python = workshop.python.as_ref();
+    let plan = plan(options, peers, python);
+    let contenders = plan.meshers.iter().map(|mesher| mesher.contender(python));
+    let heading = Heading {
+        command,
+        machine,
+        contenders: contenders.collect(),
+    };
     let cells = plan.run(&workshop, &mut |group| eprintln!("{group}"));
     let report = Report {
-        versions: versions(&plan, workshop.python.as_ref()),
         plan,
-        machine,
-        command,
+        heading,
         cells,
     };
     if let Some(path) = json {
@@ -84,32 +83,7 @@ pub fn print_tables(options: Options, command: String) -> Result<(), Box<dyn Err
     Ok(())
 }
 
-fn wanted(options: &Options) -> Vec<Mesher> {
-    options.peers.clone().unwrap_or(Mesher::PEERS.to_vec())
-}
-
-/// Looks for Python if a peer needs it; says so if it is not there.
-fn find_python(options: &Options) -> Option<Python> {
-    let peers = wanted(options);
-    peers.iter().find_map(|peer| peer.python_package())?;
-    let found = Python::find(&options.python);
-    let tell = |error| eprintln!("{}: {error}", options.python.display());
-    found.map_err(tell).ok()
-}
-
-/// Leaves out the peers that cannot be reached, and says so.
-fn plan(options: Options, python: Option<&Python>) -> Plan {
-    let is_here = |peer: &Mesher| {
-        let Some(package) = peer.python_package() else {
-            return true;
-        };
-        let version = python.and_then(|python| python.version(*peer));
-        if version.is_none() {
-            eprintln!("{peer} is left out: `pip install {package} numpy`, and name that Python");
-        }
-        version.is_some()
-    };
-    let peers = wanted(&options).into_iter().filter(is_here);
+fn plan(options: Options, peers: Vec<Mesher>, python: Option<&Python>) -> Plan {
     let threads = options.threads.into_iter().map(NonZeroUsize::get);
     let ours = threads.map(|threads| Mesher::Delone { threads });
     let all = |outlines: Vec<Outline>| match outlines.is_empty() {
@@ -117,22 +91,10 @@ fn plan(options: Options, python: Option<&Python>) -> Plan {
         false => outlines,
     };
     Plan {
-        meshers: ours.chain(peers).collect(),
+        meshers: ours.chain(reachable(peers, python)).collect(),
         outlines: all(options.outlines),
         loads: options.areas,
         angles: options.angles,
-        seed: options.seed,
-        warmups: options.warmups,
-        runs: options.runs,
-        timeout: Duration::from_secs(options.timeout),
+        effort: options.effort,
     }
-}
-
-fn versions(plan: &Plan, python: Option<&Python>) -> Vec<String> {
-    let version = |mesher: &Mesher| {
-        let ours = mesher.crate_version();
-        let theirs = || python.and_then(|python| python.version(*mesher));
-        ours.or_else(theirs).unwrap_or("unknown").to_owned()
-    };
-    plan.meshers.iter().map(version).collect()
 }

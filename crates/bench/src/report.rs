@@ -11,7 +11,7 @@ use crate::plan::{Cell, Plan, Verdict};
 use crate::process::Fault;
 use crate::stats::{median, size_name};
 use crate::subject::Task;
-use crate::table::Table;
+use crate::table::{Table, dash};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -297,10 +297,6 @@ fn per_unit(cell: &Cell, bytes: impl Fn(&Memory) -> u64) -> Option<String> {
     Some(format!("{:.0}", bytes / cell.size as f64))
 }
 
-fn dash(text: Option<String>) -> String {
-    text.unwrap_or_else(|| "–".to_owned())
-}
-
 /// Adds to a figure what the check had to say, or says why there is none.
 fn marked(cell: &Cell, figure: Option<String>) -> String {
     match &cell.verdict {
@@ -334,12 +330,7 @@ fn verdict_json(verdict: &Verdict) -> Value {
             triangles,
             expected,
         } => json!({ "wrong": { "triangles": triangles, "expected": expected } }),
-        Verdict::Faulty(Fault::Failed { how, message }) => {
-            json!({ "failed": { "how": how, "message": message } })
-        }
-        Verdict::Faulty(Fault::TimedOut(limit)) => {
-            json!({ "timed_out": { "seconds": limit.as_secs_f64() } })
-        }
+        Verdict::Faulty(fault) => json!(fault),
     }
 }
 

@@ -2,6 +2,11 @@
 
 use std::fmt;
 
+/// Returns what stands in a field, a dash if there is nothing.
+pub fn dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| "–".to_owned())
+}
+
 /// Rows of text under a header; the first columns are words and aligned left, the others right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {

@@ -117,6 +117,75 @@ fn refinement_has_tables_of_its_own_and_goes_on_without_python() {
 }
 
 #[test]
+fn queries_have_a_section_for_each_room_and_go_on_without_python() {
+    let path = scratch_file("queries.json");
+    let output = bench(&[
+        "queries",
+        "--questions=undo,insert,natural,voronoi,nearest",
+        "--distributions=uniform,grid",
+        "--size=300",
+        "--python=/nowhere/python",
+        "--runs=2",
+        "--warmups=0",
+        "--json",
+        path.to_str().expect("a path in UTF-8"),
+    ]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{complaint}");
+    assert!(complaint.contains("scipy is left out"), "{complaint}");
+    let sections: Vec<_> = text.lines().filter(|l| l.starts_with("### ")).collect();
+    assert_eq!(sections.len(), 4, "{text}");
+    // Time, building and memory; what Voronoi diagrams take to build is not timed apart.
+    for (question, tables) in [
+        ("nearest", 3),
+        ("voronoi", 2),
+        ("natural", 3),
+        ("insert", 3),
+    ] {
+        let rows = text.matches(&format!("\n| {question} ")).count();
+        assert_eq!(rows, 2 * tables, "{question}\n{text}");
+    }
+    let json = std::fs::read_to_string(path).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let cells = report["cells"].as_array().unwrap();
+    // Ours in three settings and three peers; two and three; three and one; one and one; ours alone.
+    assert_eq!(cells.len(), 2 * (6 + 5 + 4 + 2 + 1));
+    for cell in cells {
+        assert_eq!(cell["runs"].as_array().map(Vec::len), Some(2), "{cell}");
+    }
+}
+
+/// Runs only where `DELONE_PYTHON` names a Python with numpy and SciPy.
+#[test]
+fn scipy_agrees() {
+    let Ok(python) = std::env::var("DELONE_PYTHON") else {
+        eprintln!("skipped: DELONE_PYTHON names no Python");
+        return;
+    };
+    let output = bench(&[
+        "queries",
+        "--distributions=uniform,lonlat",
+        "--size=3000",
+        "--python",
+        &python,
+        "--peers=scipy",
+        "--threads=1",
+        "--runs=1",
+        "--warmups=0",
+    ]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        output.status.success() && text.contains("| scipy "),
+        "{text}"
+    );
+    assert!(
+        !text.contains("wrong") && !text.contains("- scipy"),
+        "{text}"
+    );
+}
+
+#[test]
 fn what_encloses_nothing_cannot_be_meshed() {
     let output = bench(&["refine", "--outlines=tangle"]);
     let complaint = String::from_utf8(output.stderr).unwrap();

@@ -1,5 +1,6 @@
 //! `kiddo` at queries.
 
+use super::input::Input;
 use super::job::Answer;
 use super::question::{Question, TEN};
 use crate::measure::under_the_clock;
@@ -10,36 +11,32 @@ use std::num::NonZero;
 ///
 /// # Errors
 /// What kiddo says.
-pub fn answer(
-    points: &[[f64; 2]],
-    asked: &[[f64; 2]],
-    question: Question,
-    check: bool,
-) -> Result<Answer, String> {
-    let (tree, build) = under_the_clock(|| ImmutableKdTree::<f64, 2>::new_from_slice(points));
+pub fn answer(input: &Input) -> Result<Answer, String> {
+    let (tree, build) =
+        under_the_clock(|| ImmutableKdTree::<f64, 2>::new_from_slice(&input.points));
     let tree = tree.map_err(|error| format!("{error:?}"))?;
-    let (queries, sum): (_, f64) = if question == Question::Nearest {
-        let (found, queries) = under_the_clock(|| {
-            tree.query_batch(asked)
+    let (work, sum) = if input.question == Question::Nearest {
+        let (found, work) = under_the_clock(|| {
+            tree.query_batch(&input.asked)
                 .nearest_one::<SquaredEuclidean<f64>>()
                 .execute()
         });
-        (queries, found.iter().map(|found| found.distance).sum())
+        let squares = found.iter().map(|found| found.distance);
+        (work, input.sum(1, squares))
     } else {
         let ten = NonZero::new(TEN).expect("ten is not zero");
-        let (found, queries) = under_the_clock(|| {
-            tree.query_batch(asked)
+        let (found, work) = under_the_clock(|| {
+            tree.query_batch(&input.asked)
                 .nearest_n::<SquaredEuclidean<f64>>(ten)
                 .execute()
         });
-        (
-            queries,
-            found.iter().flatten().map(|found| found.distance).sum(),
-        )
+        let squares = found.iter().flatten().map(|found| found.distance);
+        (work, input.sum(TEN, squares))
     };
     Ok(Answer {
-        build,
-        queries,
-        sum: check.then_some(sum),
+        build: Some(build),
+        work,
+        number: input.asked.len(),
+        sum,
     })
 }

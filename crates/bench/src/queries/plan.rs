@@ -1,17 +1,19 @@
 //! Which cells are checked and timed, in which order.
 //!
 //! For every question and kind of points: each engine's answers are summed up in a process of its own and
-//! compared with the first's, then all are timed in turns (warm-up rounds, then rounds that count).
+//! compared with the first's, then all are timed in turns (warm-up rounds, then rounds that count). Whoever is
+//! slow when checked is timed once.
 
 use super::engine::Engine;
 use super::job::{Answer, Job};
-use super::question::Question;
-use crate::process::{Fault, Launcher};
+use super::question::{Question, Room};
+use crate::effort::Effort;
+use crate::process::Fault;
+use crate::workshop::Worker;
 use delone_samples::Distribution;
-use std::time::Duration;
 
-/// Sums of rounded distances may differ by this part.
-const SLACK: f64 = 1e-9;
+/// Whoever takes more seconds is slow.
+pub const SLOW: f64 = 5.0;
 
 /// What to measure, and how carefully.
 #[derive(Clone, Debug)]
@@ -24,14 +26,8 @@ pub struct Plan {
     pub distributions: Vec<Distribution>,
     /// How many points, and how many queries.
     pub size: usize,
-    /// Seed of the points.
-    pub seed: u64,
-    /// Rounds that are discarded.
-    pub warmups: usize,
-    /// Rounds that count.
-    pub runs: usize,
-    /// Longest time for one process.
-    pub timeout: Duration,
+    /// How carefully.
+    pub effort: Effort,
 }
 
 /// All about one engine and one question about points of one kind.
@@ -43,24 +39,34 @@ pub struct Cell {
     pub distribution: Distribution,
     /// Who was asked.
     pub engine: Engine,
+    /// Is it timed only once?
+    pub is_slow: bool,
     /// The runs that count, or why there are none.
-    pub runs: Result<Vec<Answer>, String>,
+    pub runs: Result<Vec<Answer>, Fault>,
 }
 
 impl Plan {
-    /// Carries the plan out; `tell` hears which group of cells is next.
-    pub fn run(&self, launcher: &Launcher, tell: &mut dyn FnMut(&str)) -> Vec<Cell> {
+    /// Carries the plan out, room by room; `tell` hears which group of cells is next, `show` gets those of a
+    /// room when they are done.
+    pub fn run(
+        &self,
+        worker: &impl Worker<Job>,
+        tell: &mut dyn FnMut(&str),
+        show: &mut dyn FnMut(Room, &[Cell]),
+    ) -> Vec<Cell> {
         let mut cells = Vec::new();
-        for &question in &self.questions {
-            for &distribution in &self.distributions {
-                tell(&format!("{question}, {distribution}"));
-                let mut group = self.checked(launcher, question, distribution);
-                for round in 0..self.warmups + self.runs {
-                    for cell in &mut group {
-                        self.time(launcher, cell, round >= self.warmups);
-                    }
+        for room in Room::ALL {
+            let start = cells.len();
+            for &question in self.questions.iter().filter(|q| q.room() == room) {
+                for &distribution in &self.distributions {
+                    tell(&format!("{question}, {distribution}"));
+                    let mut group = self.checked(worker, question, distribution);
+                    self.time(worker, &mut group);
+                    cells.append(&mut group);
                 }
-                cells.append(&mut group);
+            }
+            if cells.len() > start {
+                show(room, &cells[start..]);
             }
         }
         cells
@@ -69,80 +75,173 @@ impl Plan {
     /// Sums up everybody's answers.
     fn checked(
         &self,
-        launcher: &Launcher,
+        worker: &impl Worker<Job>,
         question: Question,
         distribution: Distribution,
     ) -> Vec<Cell> {
         let mut expected = None;
         let able = self.engines.iter().filter(|engine| engine.knows(question));
         able.map(|&engine| {
-            let job = self.job(engine, question, distribution, true);
-            let sum = self
-                .ask(launcher, job)
-                .map(|answer| answer.sum.unwrap_or(f64::NAN));
-            let runs = sum.and_then(|sum| agrees(sum, *expected.get_or_insert(sum)));
-            Cell {
+            let mut cell = Cell {
                 question,
                 distribution,
                 engine,
-                runs: runs.map(|()| Vec::new()),
+                is_slow: false,
+                runs: Ok(Vec::new()),
+            };
+            match worker.run(&self.job(&cell, true), self.effort.timeout) {
+                Ok(answer) => {
+                    cell.is_slow = answer.seconds() > SLOW;
+                    let agreed = agree(answer.sum, &mut expected, question.slack());
+                    cell.runs = agreed.map(|()| Vec::new());
+                }
+                Err(fault) => cell.runs = Err(fault),
             }
+            cell
         })
         .collect()
     }
 
-    fn time(&self, launcher: &Launcher, cell: &mut Cell, counts: bool) {
-        let Ok(runs) = &mut cell.runs else { return };
-        let job = self.job(cell.engine, cell.question, cell.distribution, false);
-        match self.ask(launcher, job) {
-            Ok(answer) if counts => runs.push(answer),
-            Ok(_) => {}
-            Err(why) => cell.runs = Err(why),
-        }
+    fn time(&self, worker: &impl Worker<Job>, group: &mut [Cell]) {
+        self.effort.take_turns(group, |cell, run| {
+            let job = self.job(cell, false);
+            let Ok(runs) = &mut cell.runs else { return };
+            if cell.is_slow && run != Some(0) {
+                return;
+            }
+            match worker.run(&job, self.effort.timeout) {
+                Ok(answer) => runs.extend(run.map(|_| answer)),
+                Err(fault) => cell.runs = Err(fault),
+            }
+        });
     }
 
-    fn job(
-        &self,
-        engine: Engine,
-        question: Question,
-        distribution: Distribution,
-        check: bool,
-    ) -> Job {
+    fn job(&self, cell: &Cell, check: bool) -> Job {
         Job {
-            engine,
-            question,
-            distribution,
+            engine: cell.engine,
+            question: cell.question,
+            distribution: cell.distribution,
             size: self.size,
-            seed: self.seed,
+            seed: self.effort.seed,
             check,
-        }
-    }
-
-    fn ask(&self, launcher: &Launcher, job: Job) -> Result<Answer, String> {
-        match launcher.answer(&job.to_args(), self.timeout) {
-            Ok(answer) => Ok(answer),
-            Err(Fault::Failed { how, message }) => Err(format!("{how}: {message}")),
-            Err(Fault::TimedOut(limit)) => Err(format!("> {:.0} s", limit.as_secs_f64())),
         }
     }
 }
 
-/// Compares what answers come to with what they should.
-fn agrees(sum: f64, expected: f64) -> Result<(), String> {
-    if (sum - expected).abs() <= SLACK * expected.abs() {
-        Ok(())
-    } else {
-        Err(format!("wrong: answers come to {sum}, not {expected}"))
+/// Compares what answers come to with what the first ones did, up to the part `slack`.
+fn agree(sum: Option<f64>, first: &mut Option<f64>, slack: f64) -> Result<(), Fault> {
+    let sum = sum.ok_or_else(Fault::silence)?;
+    let expected = *first.get_or_insert(sum);
+    if (sum - expected).abs() <= slack * expected.abs() {
+        return Ok(());
     }
+    let message = format!("answers come to {sum}, not {expected}");
+    Err(Fault::failed("wrong", message))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::agrees;
+    use super::{Answer, Cell, Effort, Engine, Fault, Job, Plan, Question, Room, agree};
+    use crate::measure::Cost;
+    use crate::workshop::Actor;
+    use delone_samples::Distribution;
+    use std::cell::RefCell;
+    use std::time::Duration;
+
+    fn answer(job: &Job, seconds: f64, sum: f64) -> Result<Answer, Fault> {
+        let work = Cost {
+            seconds,
+            user: seconds,
+            system: 0.0,
+            memory: None,
+        };
+        Ok(Answer {
+            build: None,
+            work,
+            number: job.size,
+            sum: job.check.then_some(sum),
+        })
+    }
+
+    fn carry_out(
+        questions: &[Question],
+        answer: impl Fn(&Job) -> Result<Answer, Fault>,
+    ) -> (Vec<Cell>, Vec<Job>, Vec<(Room, usize)>) {
+        let plan = Plan {
+            engines: vec![Engine::Delone { threads: 1 }, Engine::Spade, Engine::Kiddo],
+            questions: questions.to_vec(),
+            distributions: vec![Distribution::Uniform, Distribution::Grid],
+            size: 10,
+            effort: Effort {
+                runs: 2,
+                warmups: 1,
+                seed: 1,
+                timeout: Duration::from_secs(1),
+            },
+        };
+        let actor = Actor {
+            answer,
+            asked: RefCell::default(),
+        };
+        let mut shown = Vec::new();
+        let cells = plan.run(&actor, &mut |_| {}, &mut |room, cells| {
+            shown.push((room, cells.len()));
+        });
+        (cells, actor.asked.into_inner(), shown)
+    }
 
     #[test]
     fn sums_may_differ_by_rounding_only() {
-        assert!(agrees(1.0 + 1e-12, 1.0).is_ok() && agrees(0.0, 0.0).is_ok());
-        assert!(agrees(1.0 + 1e-6, 1.0).is_err() && agrees(f64::NAN, 1.0).is_err());
+        let agrees = |sum, first| agree(sum, &mut Some(first), 1e-9).is_ok();
+        assert!(agrees(Some(1.0 + 1e-12), 1.0) && agrees(Some(0.0), 0.0));
+        assert!(!agrees(Some(1.0 + 1e-6), 1.0) && !agrees(Some(f64::NAN), 1.0));
+        assert!(!agrees(None, 1.0) && agree(Some(7.0), &mut None, 0.0).is_ok());
+    }
+
+    #[test]
+    fn rooms_are_shown_one_after_the_other() {
+        let questions = [Question::Voronoi, Question::Locate, Question::Nearest];
+        let (cells, asked, shown) = carry_out(&questions, |job| answer(job, 0.1, 1.0));
+        // Two know where points lie and make cells, all three what is near.
+        assert_eq!(shown, [(Room::Places, 2 * (2 + 3)), (Room::Cells, 2 * 2)]);
+        assert_eq!(asked.len(), 4 * cells.len());
+        for cell in cells {
+            assert_eq!(cell.runs.map(|runs| runs.len()), Ok(2));
+        }
+    }
+
+    #[test]
+    fn the_slow_are_timed_once() {
+        let (cells, asked, _) = carry_out(&[Question::Nearest], |job| {
+            answer(
+                job,
+                if job.engine == Engine::Spade {
+                    6.0
+                } else {
+                    1.0
+                },
+                1.0,
+            )
+        });
+        for cell in cells {
+            let is_spade = cell.engine == Engine::Spade;
+            assert_eq!(cell.is_slow, is_spade);
+            assert_eq!(cell.runs.unwrap().len(), if is_spade { 1 } else { 2 });
+        }
+        let spade = asked.iter().filter(|job| job.engine == Engine::Spade);
+        assert_eq!(spade.count(), 2 * 2);
+    }
+
+    #[test]
+    fn who_is_wrong_or_fails_is_not_timed() {
+        let (cells, asked, _) = carry_out(&[Question::Nearest], |job| match job.engine {
+            Engine::Spade => answer(job, 1.0, 2.0),
+            Engine::Kiddo => Err(Fault::TimedOut(Duration::from_secs(1))),
+            _ => answer(job, 1.0, 1.0),
+        });
+        assert_eq!(asked.len(), 2 * (4 + 1 + 1));
+        let shorts: Vec<_> = cells.iter().filter_map(|c| c.runs.as_ref().err()).collect();
+        let shorts: Vec<_> = shorts.into_iter().map(Fault::in_short).collect();
+        assert_eq!(shorts, ["wrong", "> 1 s", "wrong", "> 1 s"]);
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// What is asked about each point.
+/// What is asked about each point, or done with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Question {
     /// In which triangle, on which edge or vertex it lies.
@@ -12,14 +12,67 @@ pub enum Question {
     Nearest,
     /// Which ten are.
     TenNearest,
+    /// The cells of the Voronoi diagram.
+    Voronoi,
+    /// The value of the surface that is flat over each triangle.
+    Linear,
+    /// That of natural neighbours, after Sibson.
+    Natural,
+    /// That of Clough and Tocher, smooth.
+    CloughTocher,
+    /// Insert vertices in random order.
+    Insert,
+    /// Insert vertices, each near the one before.
+    InsertNear,
+    /// Remove vertices in random order.
+    Remove,
+    /// Remove vertices, each near the one before.
+    RemoveNear,
+    /// Move vertices to anywhere.
+    Move,
+    /// Move vertices by a tenth of the way to the nearest.
+    Nudge,
+    /// Insert vertices, each near the one before, and undo it all.
+    Undo,
 }
 
 /// How many of [`Question::TenNearest`].
 pub const TEN: usize = 10;
 
+/// So many answers are compared; the slowest are asked no more.
+pub const COMPARED: usize = 20_000;
+
+/// Questions whose tables stand together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Room {
+    /// Where points lie, and what is near.
+    Places,
+    /// Cells of sites.
+    Cells,
+    /// Values between vertices.
+    Surfaces,
+    /// Vertices that come, go and move.
+    Edits,
+}
+
 impl Question {
     /// All of them, in the order of the tables.
-    pub const ALL: [Self; 3] = [Self::Locate, Self::Nearest, Self::TenNearest];
+    pub const ALL: [Self; 14] = [
+        Self::Locate,
+        Self::Nearest,
+        Self::TenNearest,
+        Self::Voronoi,
+        Self::Linear,
+        Self::Natural,
+        Self::CloughTocher,
+        Self::Insert,
+        Self::InsertNear,
+        Self::Remove,
+        Self::RemoveNear,
+        Self::Move,
+        Self::Nudge,
+        Self::Undo,
+    ];
 
     /// Returns the name by which commands and tables call it.
     pub const fn name(self) -> &'static str {
@@ -27,6 +80,66 @@ impl Question {
             Self::Locate => "locate",
             Self::Nearest => "nearest",
             Self::TenNearest => "ten-nearest",
+            Self::Voronoi => "voronoi",
+            Self::Linear => "linear",
+            Self::Natural => "natural",
+            Self::CloughTocher => "clough-tocher",
+            Self::Insert => "insert",
+            Self::InsertNear => "insert-near",
+            Self::Remove => "remove",
+            Self::RemoveNear => "remove-near",
+            Self::Move => "move",
+            Self::Nudge => "nudge",
+            Self::Undo => "undo",
+        }
+    }
+
+    /// Returns by which part what answers come to may differ: by rounding; and gradients are sought until they
+    /// change by a millionth.
+    pub const fn slack(self) -> f64 {
+        match self {
+            Self::CloughTocher => 1e-6,
+            _ => 1e-9,
+        }
+    }
+
+    /// Returns where its table stands.
+    pub const fn room(self) -> Room {
+        match self {
+            Self::Locate | Self::Nearest | Self::TenNearest => Room::Places,
+            Self::Voronoi => Room::Cells,
+            Self::Linear | Self::Natural | Self::CloughTocher => Room::Surfaces,
+            Self::Insert
+            | Self::InsertNear
+            | Self::Remove
+            | Self::RemoveNear
+            | Self::Move
+            | Self::Nudge
+            | Self::Undo => Room::Edits,
+        }
+    }
+}
+
+impl Room {
+    /// All of them, in the order of the tables.
+    pub const ALL: [Self; 4] = [Self::Places, Self::Cells, Self::Surfaces, Self::Edits];
+
+    /// Returns the title of its tables.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Places => "Where points lie, and what is nearest",
+            Self::Cells => "Voronoi diagrams",
+            Self::Surfaces => "Values between vertices",
+            Self::Edits => "Edits",
+        }
+    }
+
+    /// Says what times are for.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Places | Self::Surfaces => "a query",
+            Self::Cells => "a site",
+            Self::Edits => "an edit",
         }
     }
 }

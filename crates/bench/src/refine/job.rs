@@ -5,7 +5,12 @@ use super::mesher::Mesher;
 use super::quality::Quality;
 use super::{ours, spade};
 use crate::measure::Cost;
+use crate::peer::Peer;
+use crate::python::Files;
+use crate::workshop::Errand;
 use serde::{Deserialize, Serialize};
+use serde_json::json;
+use std::io;
 
 /// The name of the subcommand that runs a job.
 pub const SUBCOMMAND: &str = "mesh-job";
@@ -40,9 +45,10 @@ pub struct Answer {
     pub quality: Option<Quality>,
 }
 
-impl Job {
-    /// Returns the command line that makes a child of this program do the job.
-    pub fn to_args(self) -> Vec<String> {
+impl Errand for Job {
+    type Answer = Answer;
+
+    fn to_args(&self) -> Vec<String> {
         let options = [
             ("--mesher", Some(self.mesher.to_string())),
             ("--outline", Some(self.outline.to_string())),
@@ -56,6 +62,36 @@ impl Job {
         }
         args.extend(self.check.then(|| "--check".to_owned()));
         args
+    }
+
+    fn to_words(&self, files: &Files) -> Option<io::Result<Vec<String>>> {
+        self.mesher.python_package()?;
+        let words = |domain| {
+            vec![
+                self.mesher.to_string(),
+                domain,
+                self.goal.angle.to_string(),
+                self.goal.area.unwrap_or(0.0).to_string(),
+                if self.check { "check" } else { "time" }.to_owned(),
+            ]
+        };
+        Some(self.keep_domain(files).map(words))
+    }
+}
+
+impl Job {
+    /// Writes the outline, unless it is there already. Shortest decimals read back as the same bits.
+    fn keep_domain(&self, files: &Files) -> io::Result<String> {
+        let Outline { domain, size } = self.outline;
+        files.keep(&format!("{domain}-{size}-{}.json", self.seed), || {
+            let drawing = self.outline.draw(self.seed);
+            let domain = json!({
+                "points": drawing.points,
+                "segments": drawing.segments,
+                "holes": drawing.holes,
+            });
+            domain.to_string().into_bytes()
+        })
     }
 
     /// Does the job in this process.
@@ -74,7 +110,7 @@ impl Job {
 
 #[cfg(test)]
 mod tests {
-    use super::{Goal, Job, Mesher, SUBCOMMAND};
+    use super::{Errand, Goal, Job, Mesher, SUBCOMMAND};
     use clap::Parser;
 
     #[derive(clap::Parser)]

@@ -1,6 +1,7 @@
 //! The contenders at refinement.
 
 use crate::machine::version_of;
+use crate::peer::Peer;
 use std::fmt;
 use std::str::FromStr;
 
@@ -26,25 +27,6 @@ impl Mesher {
     /// The peers, in the order of the table.
     pub const PEERS: [Self; 4] = [Self::Triangle, Self::Cgal, Self::Spade, Self::Gmsh];
 
-    /// Returns the name of the Python package that it comes in.
-    pub const fn python_package(self) -> Option<&'static str> {
-        match self {
-            Self::Delone { .. } | Self::Spade => None,
-            Self::Triangle => Some("triangle"),
-            Self::Cgal => Some("cgal"),
-            Self::Gmsh => Some("gmsh"),
-        }
-    }
-
-    /// Returns the version in `Cargo.lock`, if it is not from Python.
-    pub fn crate_version(self) -> Option<&'static str> {
-        match self {
-            Self::Delone { .. } => Some(version_of("delone")),
-            Self::Spade => Some(version_of("spade")),
-            Self::Triangle | Self::Cgal | Self::Gmsh => None,
-        }
-    }
-
     /// Tells whether this is the project itself.
     pub const fn is_ours(self) -> bool {
         matches!(self, Self::Delone { .. })
@@ -54,10 +36,28 @@ impl Mesher {
     pub const fn bounds_angles(self) -> bool {
         !matches!(self, Self::Gmsh)
     }
+}
 
-    /// Says what is called, and what it is asked for.
-    pub const fn timed(self) -> &'static str {
+impl Peer for Mesher {
+    fn python_package(self) -> Option<&'static str> {
         match self {
+            Self::Delone { .. } | Self::Spade => None,
+            Self::Triangle => Some("triangle"),
+            Self::Cgal => Some("cgal"),
+            Self::Gmsh => Some("gmsh"),
+        }
+    }
+
+    fn crate_version(self) -> Option<&'static str> {
+        match self {
+            Self::Delone { .. } => Some(version_of("delone")),
+            Self::Spade => Some(version_of("spade")),
+            Self::Triangle | Self::Cgal | Self::Gmsh => None,
+        }
+    }
+
+    fn timed(self) -> String {
+        let timed = match self {
             Self::Delone { .. } => {
                 "`Refinement::mesh`: triangles, neighbours, constrained edges, report"
             }
@@ -71,7 +71,8 @@ impl Mesher {
                 "`generate(2)` of its own geometry; no bounds: the size is the edge of the \
                  equilateral triangle, and no angle is asked for"
             }
-        }
+        };
+        timed.to_owned()
     }
 }
 
@@ -105,7 +106,7 @@ impl FromStr for Mesher {
 
 #[cfg(test)]
 mod tests {
-    use super::Mesher;
+    use super::{Mesher, Peer};
 
     #[test]
     fn names_parse_back() {

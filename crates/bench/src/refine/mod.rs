@@ -2,7 +2,7 @@
 //!
 //! - [`goal`]: which outlines, and what is asked of the meshes.
 //! - [`mesher`]: the contenders; [`ours`] and [`spade`] run in a child of this program, the others in
-//!   Python ([`python`]), where they are installed.
+//!   Python, where they are installed.
 //! - [`job`]: what a child is asked and what it answers; [`quality`]: what its mesh is like.
 //! - [`plan`]: which cells are checked and timed, in which order.
 //! - [`report`]: tables and JSON; [`targets`]: how the figures stand to what was aimed at.
@@ -16,7 +16,6 @@ pub mod job;
 pub mod mesher;
 pub mod ours;
 pub mod plan;
-pub mod python;
 pub mod quality;
 pub mod report;
 pub mod spade;

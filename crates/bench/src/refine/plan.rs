@@ -8,11 +8,12 @@
 use super::goal::{Goal, Load, Outline};
 use super::job::{Answer, Job};
 use super::mesher::Mesher;
-use super::python::Python;
 use super::quality::Quality;
+use crate::effort::Effort;
 use crate::measure::Cost;
 use crate::plan::agree;
-use crate::process::{Fault, Launcher};
+use crate::process::Fault;
+use crate::workshop::Worker;
 use std::time::Duration;
 
 /// The area of a mesh must be that of its domain, up to the rounding of vertices on segments.
@@ -29,14 +30,8 @@ pub struct Plan {
     pub loads: Vec<Load>,
     /// Smallest angles, degrees.
     pub angles: Vec<f64>,
-    /// Seed of the outlines.
-    pub seed: u64,
-    /// Rounds that are discarded.
-    pub warmups: usize,
-    /// Rounds that count.
-    pub runs: usize,
-    /// Longest time for one mesh, with the making of its input.
-    pub timeout: Duration,
+    /// How carefully.
+    pub effort: Effort,
 }
 
 /// All about one mesher at one goal on one outline.
@@ -56,39 +51,12 @@ pub struct Cell {
     pub runs: Vec<Cost>,
 }
 
-/// Does a job, wherever and however.
-pub trait Worker {
-    /// Runs `job`, for no longer than `timeout`.
-    ///
-    /// # Errors
-    /// What became of it, if it does not answer.
-    fn mesh(&self, job: &Job, timeout: Duration) -> Result<Answer, Fault>;
-}
-
-/// Runs jobs in children of this program, and in Python.
-#[derive(Debug)]
-pub struct Workshop {
-    /// Runs this program.
-    pub launcher: Launcher,
-    /// Runs the script, if there is a Python.
-    pub python: Option<Python>,
-}
-
-impl Worker for Workshop {
-    fn mesh(&self, job: &Job, timeout: Duration) -> Result<Answer, Fault> {
-        match &self.python {
-            Some(python) if job.mesher.python_package().is_some() => python.mesh(job, timeout),
-            _ => self.launcher.answer(&job.to_args(), timeout),
-        }
-    }
-}
-
 impl Plan {
     /// Carries the plan out; `tell` hears which group of cells is next.
-    pub fn run(&self, worker: &impl Worker, tell: &mut dyn FnMut(&str)) -> Vec<Cell> {
+    pub fn run(&self, worker: &impl Worker<Job>, tell: &mut dyn FnMut(&str)) -> Vec<Cell> {
         let mut cells: Vec<Cell> = Vec::new();
         for &outline in &self.outlines {
-            let area = outline.draw(self.seed).area();
+            let area = outline.draw(self.effort.seed).area();
             for &load in &self.loads {
                 for &angle in &self.angles {
                     tell(&format!("{outline}, area {load}, {angle} degrees"));
@@ -107,7 +75,7 @@ impl Plan {
 
     fn check_group(
         &self,
-        worker: &impl Worker,
+        worker: &impl Worker<Job>,
         outline: Outline,
         load: Load,
         goal: Goal,
@@ -122,7 +90,7 @@ impl Plan {
             let job = self.job(mesher, outline, goal, true);
             let mesh = match timed_out_before(&job, before) {
                 Some(limit) => Err(Fault::TimedOut(limit)),
-                None => judge(worker.mesh(&job, self.timeout), area, &mut our_hash),
+                None => judge(worker.run(&job, self.effort.timeout), area, &mut our_hash),
             };
             Cell {
                 outline,
@@ -136,25 +104,24 @@ impl Plan {
         .collect()
     }
 
-    /// Lets the meshers take turns, so that a slow minute of the machine hits all of them.
-    fn time(&self, worker: &impl Worker, group: &mut [Cell]) {
-        for round in 0..self.warmups + self.runs {
-            for cell in group.iter_mut().filter(|cell| cell.mesh.is_ok()) {
-                let job = self.job(cell.mesher, cell.outline, cell.goal, false);
-                match worker.mesh(&job, self.timeout) {
-                    Ok(answer) if round >= self.warmups => cell.runs.push(answer.cost),
-                    Ok(_) => (),
-                    Err(fault) => cell.mesh = Err(fault),
-                }
+    fn time(&self, worker: &impl Worker<Job>, group: &mut [Cell]) {
+        self.effort.take_turns(group, |cell, run| {
+            if cell.mesh.is_err() {
+                return;
             }
-        }
+            let job = self.job(cell.mesher, cell.outline, cell.goal, false);
+            match worker.run(&job, self.effort.timeout) {
+                Ok(answer) => cell.runs.extend(run.map(|_| answer.cost)),
+                Err(fault) => cell.mesh = Err(fault),
+            }
+        });
     }
 
     fn job(&self, mesher: Mesher, outline: Outline, goal: Goal, check: bool) -> Job {
         Job {
             mesher,
             outline,
-            seed: self.seed,
+            seed: self.effort.seed,
             goal,
             check,
         }

@@ -7,11 +7,11 @@ use super::goal::Load;
 use super::mesher::Mesher;
 use super::plan::{Cell, Plan};
 use super::targets::{self, ratio};
-use crate::machine::Machine;
+use crate::heading::{self, Heading};
 use crate::measure::Memory;
 use crate::process::Fault;
 use crate::stats::{median, size_name};
-use crate::table::Table;
+use crate::table::{Table, dash};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -20,12 +20,8 @@ use std::fmt::Write;
 pub struct Report {
     /// What was asked for.
     pub plan: Plan,
-    /// Version of each mesher, in the plan's order.
-    pub versions: Vec<String>,
     /// Under which conditions.
-    pub machine: Machine,
-    /// How the program was called.
-    pub command: String,
+    pub heading: Heading,
     /// What came out, grouped by outline, load and angle, meshers in the plan's order.
     pub cells: Vec<Cell>,
 }
@@ -120,16 +116,10 @@ impl Report {
     }
 
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
-        writeln!(out, "`{}`\n", self.command)?;
-        for (label, value) in self.machine.entries() {
-            writeln!(out, "- {label}: {value}")?;
-        }
-        let Plan { warmups, runs, .. } = self.plan;
-        writeln!(out, "\n{}", self.mesher_table())?;
-        writeln!(
-            out,
-            "Each mesh in a fresh process, median of {runs} after {warmups} warm-ups.\n"
-        )?;
+        writeln!(out, "{}", self.heading)?;
+        let contenders = self.heading.contenders.iter().cloned();
+        writeln!(out, "{}", heading::table(contenders))?;
+        writeln!(out, "Each mesh {}.\n", self.plan.effort.in_words())?;
         for &load in &self.plan.loads {
             writeln!(out, "### {}\n", title(load))?;
             let groups: Vec<_> = self.groups().filter(|g| g[0].load == load).collect();
@@ -141,18 +131,6 @@ impl Report {
             writeln!(out, "**Ratios and what was aimed at**\n\n{aims}")?;
         }
         self.write_failures(out)
-    }
-
-    fn mesher_table(&self) -> Table {
-        let mut table = Table::new(["mesher", "version", "timed"]).with_text_columns(3);
-        for (mesher, version) in self.plan.meshers.iter().zip(&self.versions) {
-            table.push(vec![
-                mesher.to_string(),
-                version.clone(),
-                mesher.timed().to_owned(),
-            ]);
-        }
-        table
     }
 
     fn figure_table(&self, figure: &Figure, groups: &[&[Cell]]) -> Table {
@@ -173,7 +151,7 @@ impl Report {
             ];
             let meshers = self.plan.meshers.iter();
             row.extend(meshers.map(|&mesher| text(find(group, mesher), figure)));
-            let two_digits = |ratio: Option<f64>| ratio.map_or(dash(), |r| format!("{r:.2}"));
+            let two_digits = |ratio: Option<f64>| dash(ratio.map(|r| format!("{r:.2}")));
             row.extend(
                 rivals
                     .iter()
@@ -222,16 +200,10 @@ impl Report {
     /// Returns everything that was found, every single run included. Times are in seconds, memory
     /// in bytes.
     pub fn to_json(&self) -> Value {
-        let meshers = self.plan.meshers.iter().zip(&self.versions);
-        let meshers = meshers.map(|(mesher, version)| {
-            json!({ "mesher": mesher.to_string(), "version": version, "timed": mesher.timed() })
-        });
         json!({
-            "command": self.command,
-            "machine": self.machine,
-            "seed": self.plan.seed,
-            "warmups": self.plan.warmups,
-            "meshers": meshers.collect::<Vec<_>>(),
+            "heading": self.heading,
+            "seed": self.plan.effort.seed,
+            "warmups": self.plan.effort.warmups,
             "cells": self.cells.iter().map(cell_json).collect::<Vec<_>>(),
         })
     }
@@ -247,18 +219,14 @@ fn title(load: Load) -> String {
     }
 }
 
-fn dash() -> String {
-    "–".to_owned()
-}
-
 /// Writes a figure, or says why there is none.
 fn text(cell: Option<&Cell>, figure: &Figure) -> String {
-    let Some(cell) = cell else { return dash() };
+    let Some(cell) = cell else { return dash(None) };
     match &cell.mesh {
         Err(fault) => fault.in_short(),
         Ok(quality) => {
             let value = (figure.value)(cell);
-            let text = value.map_or(dash(), |value| format!("{value:.*}", figure.digits));
+            let text = dash(value.map(|value| format!("{value:.*}", figure.digits)));
             let missed = quality.skinny + quality.oversized;
             if figure.has_missed && missed > 0 {
                 format!("{text} ({missed})")
@@ -270,21 +238,14 @@ fn text(cell: Option<&Cell>, figure: &Figure) -> String {
 }
 
 fn cell_json(cell: &Cell) -> Value {
-    let (quality, fault) = match &cell.mesh {
-        Ok(quality) => (Some(quality), None),
-        Err(Fault::Failed { how, message }) => {
-            (None, Some(json!({ "how": how, "message": message })))
-        }
-        Err(Fault::TimedOut(limit)) => (None, Some(json!({ "timed_out": limit.as_secs_f64() }))),
-    };
     json!({
         "outline": cell.outline.domain.name(),
         "segments": cell.outline.size,
         "load": cell.load.to_string(),
         "goal": cell.goal,
         "mesher": cell.mesher.to_string(),
-        "quality": quality,
-        "fault": fault,
+        "quality": cell.mesh.as_ref().ok(),
+        "fault": cell.mesh.as_ref().err(),
         "runs": cell.runs,
     })
 }

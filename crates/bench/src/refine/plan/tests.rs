@@ -1,23 +1,11 @@
-use super::{Answer, Cell, Fault, Job, Load, Mesher, Plan, Quality, Worker};
+use super::{Answer, Cell, Effort, Fault, Job, Load, Mesher, Plan, Quality};
 use crate::measure::Cost;
+use crate::workshop::Actor;
 use std::cell::RefCell;
 use std::time::Duration;
 
 const ONE: Mesher = Mesher::Delone { threads: 1 };
 const TWO: Mesher = Mesher::Delone { threads: 2 };
-
-/// Answers from thin air and remembers what it was asked.
-struct Script<F: Fn(&Job) -> Result<Answer, Fault>> {
-    answer: F,
-    asked: RefCell<Vec<Job>>,
-}
-
-impl<F: Fn(&Job) -> Result<Answer, Fault>> Worker for Script<F> {
-    fn mesh(&self, job: &Job, _: Duration) -> Result<Answer, Fault> {
-        self.asked.borrow_mut().push(*job);
-        (self.answer)(job)
-    }
-}
 
 fn done(job: &Job, area: f64, hash: &str) -> Result<Answer, Fault> {
     let quality = Quality {
@@ -50,17 +38,19 @@ fn carry_out(
         outlines: vec!["square".parse().unwrap()],
         loads: vec![Load::AngleOnly, Load::About(1000)],
         angles: vec![20.0, 30.0],
-        seed: 1,
-        warmups: 1,
-        runs: 2,
-        timeout: Duration::from_secs(1),
+        effort: Effort {
+            runs: 2,
+            warmups: 1,
+            seed: 1,
+            timeout: Duration::from_secs(1),
+        },
     };
-    let script = Script {
+    let actor = Actor {
         answer,
         asked: RefCell::default(),
     };
-    let cells = plan.run(&script, &mut |_| {});
-    (cells, script.asked.into_inner())
+    let cells = plan.run(&actor, &mut |_| {});
+    (cells, actor.asked.into_inner())
 }
 
 fn how(cell: &Cell) -> &str {

@@ -1,4 +1,6 @@
 use super::{Cell, Fault, Load, Mesher, Plan, Report};
+use crate::effort::Effort;
+use crate::heading::Heading;
 use crate::machine::Machine;
 use crate::measure::{Cost, Memory};
 use crate::refine::goal::{Goal, Outline};
@@ -72,19 +74,23 @@ fn report() -> Report {
         Mesher::Gmsh,
     ];
     Report {
-        versions: meshers.iter().map(|_| "1.6".to_owned()).collect(),
         plan: Plan {
             meshers,
             outlines: Outline::ALL.to_vec(),
             loads: vec![Load::AngleOnly],
             angles: vec![20.0],
-            seed: 1,
-            warmups: 1,
-            runs: 3,
-            timeout: Duration::from_secs(60),
+            effort: Effort {
+                runs: 3,
+                warmups: 1,
+                seed: 1,
+                timeout: Duration::from_secs(60),
+            },
         },
-        machine: Machine::inspect(),
-        command: "delone-bench refine".to_owned(),
+        heading: Heading {
+            command: "delone-bench refine".to_owned(),
+            machine: Machine::inspect(),
+            contenders: Vec::new(),
+        },
         cells,
     }
 }
@@ -144,6 +150,6 @@ fn json_keeps_every_run() {
     let json = report().to_json();
     assert_eq!(json["cells"][0]["runs"].as_array().map(Vec::len), Some(3));
     assert_eq!(json["cells"][12]["quality"]["skinny"], 7);
-    assert_eq!(json["cells"][13]["fault"]["how"], "area");
+    assert_eq!(json["cells"][13]["fault"]["failed"]["how"], "area");
     assert_eq!(json["cells"][4]["fault"]["timed_out"], 60.0);
 }
