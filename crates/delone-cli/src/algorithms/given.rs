@@ -11,7 +11,7 @@ use crate::words::counted;
 use delone::classic::{Algorithm, Input, Takes};
 use delone::predicates::{Orientation, orient2d};
 use delone::{Angle, DomainRule, Point, Quality, VertexId};
-use delone_io::DomainData;
+use delone_io::{DomainData, PointSet};
 use delone_samples::Distribution;
 use std::path::PathBuf;
 
@@ -61,8 +61,15 @@ impl Given {
             }
             None if takes == Takes::Points => {
                 let points = Distribution::Uniform.points(FEW, 1);
-                let numbering = Numbering::from_base("the sample", 0);
-                (Input::from_points(points), DomainRule::Hull, numbering)
+                let points = points.into_iter().map(Point::from).collect();
+                of_domain(
+                    "the sample",
+                    PointSet {
+                        points,
+                        ..PointSet::default()
+                    }
+                    .into(),
+                )
             }
             None => of_domain(Scene::Thesis.name(), Scene::Thesis.draw()),
         };
@@ -88,7 +95,7 @@ impl Given {
     ) -> Result<(Input<'w>, DomainRule, Numbering), Failure> {
         if takes == Takes::Triangulation && file.brings_triangles() {
             let mesh = file.mesh(progress)?;
-            let numbering = Numbering::from_base(&file.name(), mesh.vertices.base);
+            let numbering = Numbering::of_points(&file.name(), &mesh.vertices);
             let mut input = Input::from_points(mesh.vertices.points);
             input.start = counter_clockwise(mesh.triangles, &input.pslg.points);
             input.pslg.segments = mesh.constraints.map_or_else(Vec::new, |c| c.edges);
