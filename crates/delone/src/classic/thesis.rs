@@ -11,7 +11,7 @@
 //! triangulation; [edge-flip](super::Algorithm::EdgeFlip) shows it.
 
 use super::{About, Input, Output, Takes};
-use crate::refine::{Refinement, THESIS_CODE};
+use crate::refine::{Refinement, Strategy, THESIS_CODE};
 use crate::{Error, Observer, Outcome};
 
 /// What there is to say of it.
@@ -29,11 +29,13 @@ pub(super) const ABOUT: About = About {
 };
 
 /// Refines the domain up to the smallest angle and the longest edge of `input.quality`.
-pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
+pub(super) fn run(input: &Input, observer: &mut (impl Observer + Send)) -> Result<Output, Error> {
     let refinement = Refinement::new(input.quality)
+        .strategy(Strategy::Thesis)
         .domain(input.domain)
+        .threads(1)
         .watch(input.watch);
-    let refined = refinement.observe_here(input.pslg.clone(), observer)?;
+    let refined = refinement.observe(input.pslg.clone(), observer)?;
     if refined.report.outcome == Outcome::Cancelled {
         return Err(Error::Cancelled);
     }

@@ -155,7 +155,7 @@ pub use sizing::SizingField;
 pub(crate) use thesis::CODE as THESIS_CODE;
 
 use crate::constrained::{Options, prepare};
-use crate::parallel::{self, Workers};
+use crate::parallel;
 use crate::{DomainRule, Error, Locked, Observer, Pslg, Quality, SegmentPolicy, Watch};
 
 /// When a segment has to be split because a vertex is too close to it, a vertex that sees it.
@@ -368,18 +368,6 @@ impl<'a> Refinement<'a> {
                 Strategy::Thesis => thesis::refine(prepared, &self, workers, observer),
             }
         })?
-    }
-
-    /// Refines by [`Strategy::Thesis`] on this thread alone, for observers that cannot leave it.
-    pub(crate) fn observe_here(
-        self,
-        pslg: Pslg,
-        observer: &mut impl Observer,
-    ) -> Result<RefinedMesh, Error> {
-        let thesis = self.strategy(Strategy::Thesis);
-        thesis.require()?;
-        let prepared = prepare(pslg, thesis.options, Workers::ONE, thesis.watch)?;
-        thesis::refine(prepared, &thesis, Workers::ONE, observer)
     }
 
     /// Refuses bounds that make no sense, or that the strategy does not know.
