@@ -15,7 +15,10 @@ use std::error::Error;
 use std::path::Path;
 
 /// An algorithm, what it works on, and the moments of its strip.
-const STRIPS: [(Algorithm, fn() -> Input<'static>, &str); 15] = [
+type Strip = (Algorithm, fn() -> Input<'static>, &'static str);
+
+/// The strips, one for each algorithm.
+const STRIPS: [Strip; 15] = [
     (
         Algorithm::Sweep,
         outline,
