@@ -343,10 +343,12 @@ fn ticks([low, high]: [f64; 2]) -> Vec<(f64, String)> {
         let is_between = |v: &f64| (low..=high).contains(&v.log10());
         numbers.filter(is_between).collect::<Vec<f64>>()
     };
-    let mut chosen = all(&[1]);
-    if chosen.len() < 3 {
-        chosen = all(&[1, 2, 5]);
-    }
+    let scales: [(&[u32], usize); 3] = [(&[1], 3), (&[1, 3], 4), (&[1, 2, 5], 3)];
+    let fitting = scales.into_iter().find_map(|(digits, least)| {
+        let chosen = all(digits);
+        (chosen.len() >= least).then_some(chosen)
+    });
+    let chosen = fitting.unwrap_or_else(|| all(&[1, 2, 3, 4, 5, 6, 7, 8, 9]));
     let every = chosen.len().div_ceil(7).max(1);
     let chosen = chosen.into_iter().step_by(every);
     chosen.map(|v| (v, shortly(v))).collect()
@@ -355,7 +357,7 @@ fn ticks([low, high]: [f64; 2]) -> Vec<(f64, String)> {
 /// Writes a round number: `0.05`, `20`, `3k`, `1M`.
 fn shortly(v: f64) -> String {
     match v {
-        _ if v >= 1e12 || v < 1e-4 => format!("{v:e}"),
+        _ if !(1e-4..1e12).contains(&v) => format!("{v:e}"),
         _ if v >= 1e9 => format!("{}G", v / 1e9),
         _ if v >= 1e6 => format!("{}M", v / 1e6),
         _ if v >= 1e3 => format!("{}k", v / 1e3),
@@ -378,7 +380,8 @@ mod tests {
         assert_eq!(names([2.0, 6.0]), ["100", "1k", "10k", "100k", "1M"]);
         assert_eq!(names([0.0, 1.0]), ["1", "2", "5", "10"]);
         assert!(names([-300.0, 300.0]).len() <= 7);
-        assert!(!names([2.1, 2.5]).is_empty());
+        assert_eq!(names([0.3, 2.7]), ["3", "10", "30", "100", "300"]);
+        assert_eq!(names([2.1, 2.5]), ["200", "300"]);
     }
 
     #[test]

@@ -62,6 +62,9 @@ impl Plan {
 
     /// Chooses the frames of a filmstrip.
     pub fn strip(log: &Log, options: &AnimationOptions) -> Self {
+        if !options.moments.is_empty() {
+            return Self::at(&options.moments, log.steps.len());
+        }
         let all = match options.strip.at_stages {
             true => stages(log),
             false => ends(log, options.shown),
@@ -69,6 +72,19 @@ impl Plan {
         Self {
             wanted: all.len(),
             ends: evenly(all, options.strip.frames),
+            interval: 1.0,
+            rest: 0.0,
+        }
+    }
+
+    /// Takes frames that somebody has chosen, and the result.
+    fn at(moments: &[usize], steps: usize) -> Self {
+        let mut ends: Vec<_> = moments.iter().map(|&end| end.min(steps)).collect();
+        ends.sort_unstable();
+        ends.push(steps);
+        Self {
+            wanted: ends.len(),
+            ends,
             interval: 1.0,
             rest: 0.0,
         }
@@ -182,6 +198,16 @@ mod tests {
         let changes = |lines| ends(&log(lines), ShownSteps::Changes);
         assert_eq!(changes(&[0, 1, 7, 8, 2, 8]), [1, 2, 6, 6]);
         assert_eq!(changes(&[8, 8]), [0, 2]);
+    }
+
+    #[test]
+    fn a_strip_has_the_moments_that_are_asked_for() {
+        let options = AnimationOptions {
+            moments: vec![7, 3, 99],
+            ..AnimationOptions::default()
+        };
+        let plan = Plan::strip(&log(&[1; 20]), &options);
+        assert_eq!(plan.ends, [3, 7, 20, 20]);
     }
 
     #[test]

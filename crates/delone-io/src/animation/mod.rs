@@ -12,6 +12,7 @@
 //! four frames of pixels for a GIF, the page for a filmstrip; for SVG what is ever seen in a frame, at most
 //! 200 000 elements, each with the times when it comes and goes.
 
+mod beach;
 mod frames;
 mod gif;
 mod highlight;
@@ -50,6 +51,9 @@ pub struct AnimationOptions {
     pub max_frames: usize,
     /// The frames of a filmstrip.
     pub strip: Strip,
+    /// If there are any, after how many steps a filmstrip has its frames, instead of those that `strip` asks for;
+    /// the result follows as the last one.
+    pub moments: Vec<usize>,
 }
 
 impl Default for AnimationOptions {
@@ -60,6 +64,7 @@ impl Default for AnimationOptions {
             shown: ShownSteps::All,
             max_frames: 1000,
             strip: Strip::default(),
+            moments: Vec::new(),
         }
     }
 }
@@ -178,7 +183,10 @@ fn require(target: &Target, options: &AnimationOptions) -> Result<(), Error> {
     if !(64..=8192).contains(&size) {
         return refuse(format!("size {size} pixels: must be from 64 to 8192"));
     }
-    let frames = options.strip.frames;
+    let frames = match options.moments.len() {
+        0 => options.strip.frames,
+        chosen => chosen + 1,
+    };
     if !(1..=100).contains(&frames) {
         return refuse(format!("{frames} frames of a strip: must be from 1 to 100"));
     }

@@ -3,6 +3,7 @@
 //! Marks are added and taken away as steps come, so a frame costs what has changed since the one before.
 //! What belongs to the current step alone is taken away with the next frame.
 
+use super::beach;
 use super::frames::Frame;
 use super::highlight::Highlight;
 use super::mark::{CLASSES, Look, Mark, Tone};
@@ -263,13 +264,17 @@ impl<'a> Player<'a> {
         marks
     }
 
-    /// The front, from place to place.
+    /// The front, from place to place; while a line comes down, the parabolas of which it is made.
     fn front(&self) -> Vec<Mark> {
         let points: Vec<_> = self
             .scene
             .front()
             .filter_map(|v| self.scene.point(v))
             .collect();
+        let at = self.scene.sweep();
+        if let (Some(Sweep::Horizontal), Some(at), Some(_)) = (self.sweep, at, self.step) {
+            return beach::marks(self.pen, &points, at);
+        }
         let pairs = points.windows(2).filter(|pair| pair[0] != pair[1]);
         pairs
             .map(|pair| self.pen.line(Look::Front, [pair[0], pair[1]]))

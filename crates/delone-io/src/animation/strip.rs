@@ -6,7 +6,7 @@ use super::panel::{Caption, fit, words};
 use super::pen::Pen;
 use super::player::{Marks, Player, points_of};
 use super::raster;
-use crate::picture::View;
+use crate::picture::{View, glyphs};
 use crate::target::Output;
 use crate::{Error, Recording, png};
 use delone::Watch;
@@ -17,7 +17,7 @@ const CELL: f32 = 320.0;
 
 /// Height of the head of the page, and of the words below a drawing, in pixels of the usual size.
 const HEAD: f32 = 74.0;
-const WORDS: f32 = 62.0;
+const WORDS: f32 = 86.0;
 
 /// Space around a drawing.
 const MARGIN: f32 = 18.0;
@@ -123,7 +123,10 @@ impl Grid {
         let left = left + MARGIN * unit;
         let room = self.cell[0] - 2.0 * MARGIN * unit;
         let base = |y: f32| top + (CELL + y) * unit;
-        let number = format!("{} / {}", caption.played, recording.log.steps.len());
+        let mut number = format!("{} / {}", caption.played, recording.log.steps.len());
+        if let Some(conflicts) = caption.tally.last_conflicts {
+            number = format!("{number}, Φ = {conflicts}");
+        }
         let code = caption.line.checked_sub(1);
         let code = code.and_then(|line| recording.code.get(line));
         let code: String = code
@@ -135,21 +138,53 @@ impl Grid {
             "" => number,
             words => format!("{number}: {words}"),
         };
-        let lines = [
-            (Look::Strong, happens, 14.0, 1.8),
-            (Look::Faint, code, 38.0, 1.6),
-        ];
-        let fitted = lines.map(|(look, text, y, size)| {
-            let (text, size) = fit(&text, size * unit, 1.25 * unit, room);
+        let first = (Look::Strong, happens.as_str(), 14.0, 1.8);
+        let code = rows(&code, 1.5 * unit, room);
+        let code = code.into_iter().zip(0u8..);
+        let code = code.map(|(row, i)| (Look::Faint, row, 36.0 + 18.0 * f32::from(i), 1.5));
+        let fitted = std::iter::once(first).chain(code);
+        let fitted = fitted.map(|(look, text, y, size)| {
+            let (text, size) = fit(text, size * unit, 1.25 * unit, room);
             words(look, &text, [left, base(y)], size)
         });
-        fitted.into()
+        fitted.collect()
     }
+}
+
+/// Breaks a text into at most three rows, after words, where letters of this size do not fit any more.
+fn rows(mut text: &str, size: f32, room: f32) -> Vec<&str> {
+    let mut rows = Vec::new();
+    let fits = |text: &str| glyphs::width(text, size) <= room;
+    while rows.len() < 2 && !fits(text) {
+        let blanks = text.match_indices(' ').map(|(at, _)| at);
+        let Some(at) = blanks.take_while(|&at| fits(&text[..at])).last() else {
+            break;
+        };
+        rows.push(&text[..at]);
+        text = &text[at + 1..];
+    }
+    rows.push(text);
+    rows
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_text_is_broken_after_the_last_word_that_fits() {
+        let room = glyphs::width("one two", 1.0);
+        assert_eq!(rows("one two", 1.0, room), ["one two"]);
+        assert_eq!(rows("one two one two", 1.0, room), ["one two", "one two"]);
+        assert_eq!(
+            rows("one two one two one two one", 1.0, room),
+            ["one two", "one two", "one two one"]
+        );
+        assert_eq!(
+            rows("onetwothreefour one", 1.0, room),
+            ["onetwothreefour one"]
+        );
+    }
 
     #[test]
     fn every_cell_lies_on_the_page() {

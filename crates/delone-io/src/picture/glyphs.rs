@@ -229,6 +229,29 @@ fn glyph(character: char) -> (&'static str, f32) {
             "M2.8 -7L2.8 0M2.8 -5.7C4.4 -5.7 5.4 -4.8 5.4 -3.5C5.4 -2.2 4.4 -1.3 2.8 -1.3C1.2 -1.3 .2 -2.2 .2 -3.5C.2 -4.8 1.2 -5.7 2.8 -5.7",
             7.0,
         ),
+        'α' => (
+            "M5.2 -4.8C4.6 -2 3.6 0 2.3 0C1 0 0 -1.1 0 -2.4C0 -3.7 1 -4.8 2.3 -4.8C3.7 -4.8 4.5 -2.4 5.3 0",
+            6.4,
+        ),
+        'β' => (
+            "M0 2L0 -5.2C0 -6.4 .8 -7 1.8 -7C2.8 -7 3.5 -6.4 3.5 -5.5C3.5 -4.6 2.8 -4 1.6 -4C3.1 -4 4 -3.1 4 -2C4 -.8 3.1 0 1.9 0C1 0 .3 -.4 0 -1",
+            5.4,
+        ),
+        'γ' => (
+            "M0 -4.8C1 -4.8 1.4 -3.4 2.2 -.2M4.4 -4.8L2.2 -.2C1.6 1.2 1.6 2 2.2 2C2.8 2 2.8 1.2 2.2 -.2",
+            5.4,
+        ),
+        'δ' => (
+            "M4.1 -6.4C3.6 -6.9 3.1 -7 2.6 -7C1.6 -7 1.1 -6.4 1.1 -5.8C1.1 -4.6 4.4 -4.4 4.4 -2.2C4.4 -.9 3.5 0 2.2 0C.9 0 0 -.9 0 -2.2C0 -3.4 .8 -4.3 2.1 -4.4",
+            5.8,
+        ),
+        'ε' => (
+            "M3.8 -4.1C3.4 -4.6 2.8 -4.8 2.1 -4.8C1.1 -4.8 .4 -4.3 .4 -3.6C.4 -2.9 1 -2.5 2.1 -2.5C.9 -2.5 .1 -2 .1 -1.2C.1 -.5 .9 0 2.1 0C2.9 0 3.5 -.2 4 -.8",
+            5.2,
+        ),
+        'κ' => ("M.2 -4.8L.2 0M3.8 -4.8L.2 -2L3.9 0", 5.2),
+        'λ' => ("M.2 -7C1.4 -7 1.6 -6 2 -4.8L4.1 0M2 -4.8L0 0", 5.2),
+        '…' => ("M.5 -.1L.6 -.1M2.5 -.1L2.6 -.1M4.5 -.1L4.6 -.1", 6.6),
         'ä' => (
             "M4.8 -4.8L4.8 0M4.8 -2.4C4.8 -1.1 3.7 0 2.4 0C1.1 0 0 -1.1 0 -2.4C0 -3.7 1.1 -4.8 2.4 -4.8C3.7 -4.8 4.8 -3.7 4.8 -2.4M1.4 -6.7L1.5 -6.7M3.4 -6.7L3.5 -6.7",
             6.5,
@@ -310,7 +333,7 @@ mod tests {
     use super::{glyph, parse};
 
     /// All that are no letters of English, and one that is unknown.
-    const OTHERS: &str = "0123456789-.°,:;()/%+=_'<>≤≥≠→·×*|[]{}?!&#\"’–−²ΦäöüßŻčé";
+    const OTHERS: &str = "0123456789-.°,:;()/%+=_'<>≤≥≠→·×*|[]{}?!&#\"’–−²Φαβγδεκλ…äöüßŻčé";
 
     #[test]
     fn every_glyph_is_read_in_full() {
@@ -321,6 +344,20 @@ mod tests {
             let letters = path.chars().filter(char::is_ascii_alphabetic).count();
             assert_eq!(parse(path).len(), letters, "{character}");
             assert_eq!(letters == 0, character == ' ', "{character}");
+        }
+    }
+
+    /// Their pseudocode is drawn beside them.
+    #[test]
+    fn all_that_is_said_of_algorithms_can_be_written() {
+        let unknown = glyph('\u{1F4D0}').0;
+        for algorithm in delone::classic::Algorithm::ALL {
+            let about = algorithm.about();
+            let texts = [about.title, about.source];
+            let all = texts.iter().chain(about.code).flat_map(|text| text.chars());
+            for character in all {
+                assert_ne!(glyph(character).0, unknown, "{}: {character}", about.name);
+            }
         }
     }
 

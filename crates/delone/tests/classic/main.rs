@@ -4,6 +4,7 @@ mod chapter;
 mod edge_flip;
 mod facts;
 mod flips;
+mod guide;
 mod insertion;
 mod lecture;
 mod polygons;
