@@ -8,7 +8,6 @@ use super::highlight::Highlight;
 use super::mark::{CLASSES, Look, Mark, Tone};
 use super::panel::{Caption, Panel};
 use super::pen::Pen;
-use super::sweep::Sweep;
 use super::words::words;
 use crate::picture::smallest_angle;
 use crate::{Error, Recording, cancel};
@@ -60,7 +59,6 @@ pub(super) struct Player<'a> {
     watch: &'a dyn Watch,
     pub pen: &'a Pen,
     panel: Option<&'a Panel>,
-    sweep: Option<Sweep>,
     scene: Scene,
     tally: Tally,
     played: usize,
@@ -96,7 +94,6 @@ impl<'a> Player<'a> {
             watch,
             pen,
             panel,
-            sweep: Sweep::of(log),
             scene: log.first_scene(),
             tally: Tally::default(),
             played: 0,
@@ -146,19 +143,12 @@ impl<'a> Player<'a> {
 
     fn play(&mut self, step: Step) -> Result<(), Error> {
         cancel::check(self.watch, self.played)?;
-        let broken = |why: String| Error::Picture {
-            file: self.file.to_owned(),
-            reason: format!("step {} of the log: {why}", self.played),
-        };
-        if let Event::VertexCreated { vertex, .. } = step.event
-            && vertex.index() >= self.log.points.len() + self.log.steps.len()
-        {
-            let why = format!("{vertex:?} is not the next vertex");
-            return Err(broken(why));
-        }
         let before = self.affected(step.event);
         let fits = self.scene.apply(step.event);
-        fits.map_err(|e| broken(e.to_string()))?;
+        fits.map_err(|why| Error::Picture {
+            file: self.file.to_owned(),
+            reason: format!("step {} of the log: {why}", self.played),
+        })?;
         for mark in before {
             self.marks.remove(mark);
         }
@@ -254,9 +244,7 @@ impl<'a> Player<'a> {
         }
         let mut marks = highlight.marks;
         marks.extend(self.front());
-        if let (Some(sweep), Some(at)) = (&self.sweep, self.scene.sweep()) {
-            marks.push(sweep.mark(self.pen, at));
-        }
+        marks.extend(self.scene.sweep().map(|sweep| self.pen.sweep(sweep)));
         if let Some(panel) = self.panel {
             marks.extend(panel.changing(&self.caption()));
         }

@@ -193,7 +193,7 @@ fn what_does_not_fit_is_refused_with_its_step() {
         ([create, create], "step 1 of the log"),
         (
             [create, vertex(far)],
-            "step 1 of the log: v4294967294 is not the next vertex",
+            "its number is not the next that is free",
         ),
         ([vertex(a), create], "step 0 of the log"),
     ] {

@@ -228,8 +228,11 @@ impl<'r, O: Observer> Board<'r, O> {
     }
 
     /// Tells whether the edge of `h` may stay: it is a constraint, or on the hull, or the apex beyond lies
-    /// outside the circle of the triangle.
+    /// outside the circle of the triangle. What nobody sees may always.
     pub fn is_locally_delaunay(&mut self, h: HalfEdgeId) -> bool {
+        if !self.is_visible(h) {
+            return true;
+        }
         let edge = self.ends(h);
         self.tell(|| Event::EdgeExamined { edge });
         let g = self.mesh.twin(h);

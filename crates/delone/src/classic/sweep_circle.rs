@@ -20,7 +20,7 @@ use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::locate::Location;
 use crate::predicates::{Orientation, compare_distances, length_up};
-use crate::{Error, Event, HalfEdgeId, Observer, Point, VertexId};
+use crate::{Error, Event, HalfEdgeId, Observer, Point, Sweep, VertexId};
 use std::cmp::Ordering;
 
 /// What there is to say of it.
@@ -102,10 +102,16 @@ fn by_distance<O: Observer>(board: &Board<O>, c: Point, v: VertexId, w: VertexId
     compare_distances(c, p, q).then_with(|| p.lex_cmp(&q))
 }
 
+/// The circle about a center through a point; its radius is rounded up, but finite.
+fn around(center: Point, p: Point) -> Sweep {
+    let radius = length_up([center, p]).min(f64::MAX);
+    Sweep::Circle { center, radius }
+}
+
 /// The circle, and the hull within it.
 struct Circle {
     center: Point,
-    radius: Swept,
+    swept: Swept,
     /// The edge of the first two points.
     seed: HalfEdgeId,
     /// From the ends of the row to infinity, the lexicographically smaller end first, while all points are
@@ -122,11 +128,11 @@ struct Circle {
 impl Circle {
     /// Begins with an edge.
     fn new<O: Observer>(board: &mut Board<O>, center: Point, ends: [VertexId; 2]) -> Self {
-        let mut radius = Swept::default();
+        let mut swept = Swept::default();
         for v in ends {
             board.tell(|| Event::PointConsidered { vertex: v });
             let p = board.point(v);
-            radius.tell_at(board, || length_up([center, p]));
+            swept.tell_at(board, || around(center, p));
         }
         let [a, b] = ends;
         let is_reversed = board.point(a).lex_cmp(&board.point(b)).is_gt();
@@ -138,7 +144,7 @@ impl Circle {
         let size = board.points().len().isqrt();
         Self {
             center,
-            radius,
+            swept,
             seed,
             ends: [board.mesh().twin(seed).next(), seed.next()],
             latest: None,
@@ -150,8 +156,8 @@ impl Circle {
     /// Grows until `p` is on the circle.
     fn grow<O: Observer>(&mut self, board: &mut Board<O>, p: VertexId) {
         board.at(5);
-        let way = [self.center, board.point(p)];
-        self.radius.tell_at(board, || length_up(way));
+        let p = board.point(p);
+        self.swept.tell_at(board, || around(self.center, p));
     }
 
     /// Finds a hull edge that `p` sees, or the end of the row beyond which it lies.

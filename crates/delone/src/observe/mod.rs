@@ -18,7 +18,7 @@ mod log;
 mod scene;
 mod tally;
 
-pub use event::{Cut, Event, Failure, Item, Queue, Stage};
+pub use event::{Cut, Event, Failure, Item, Queue, Stage, Sweep};
 pub use log::Log;
 pub use scene::{NoSuchStep, Scene};
 pub use tally::Tally;

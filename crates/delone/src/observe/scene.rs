@@ -1,6 +1,6 @@
 //! What there is to see between two steps, forwards and backwards.
 
-use super::{Event, Item, Queue};
+use super::{Event, Item, Queue, Sweep};
 use crate::predicates::{Orientation, circumcenter, orient2d};
 use crate::{Point, TriangulationHash, VertexId, hash_triangles};
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,14 +25,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// *Cost*: O(log n) a step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    points: Vec<Option<Point>>,
+    points: Vec<Point>,
     /// Smaller end first.
     edges: BTreeSet<[VertexId; 2]>,
     locked: BTreeSet<[VertexId; 2]>,
     /// The apex of each directed edge that has a triangle on its left.
     apexes: BTreeMap<[VertexId; 2], VertexId>,
     front: Front,
-    sweep: Option<f64>,
+    sweep: Option<Sweep>,
     queues: BTreeMap<Queue, BTreeMap<Item, usize>>,
     data: BTreeMap<VertexId, [VertexId; 3]>,
     clusters: BTreeMap<u32, Point>,
@@ -66,7 +66,7 @@ impl Scene {
     /// Begins with points alone.
     pub fn new<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Self {
         Self {
-            points: points.into_iter().map(|p| Some(p.into())).collect(),
+            points: points.into_iter().map(Into::into).collect(),
             ..Self::default()
         }
     }
@@ -89,13 +89,13 @@ impl Scene {
 
     /// Returns where a vertex lies, if there is one of this number.
     pub fn point(&self, v: VertexId) -> Option<Point> {
-        self.points.get(v.index()).copied().flatten()
+        self.points.get(v.index()).copied()
     }
 
     /// Visits the vertices, with their positions.
     pub fn vertices(&self) -> impl Iterator<Item = (VertexId, Point)> + '_ {
         let numbered = self.points.iter().enumerate();
-        numbered.filter_map(|(i, p)| p.map(|p| (VertexId::new(i), p)))
+        numbered.map(|(i, &p)| (VertexId::new(i), p))
     }
 
     /// Visits the edges, smaller end first, sorted.
@@ -132,8 +132,8 @@ impl Scene {
         std::iter::successors(self.front.first, next).map(|place| places[&place].vertex)
     }
 
-    /// Returns where the sweep is.
-    pub fn sweep(&self) -> Option<f64> {
+    /// Returns where the sweep is, if there is one.
+    pub fn sweep(&self) -> Option<Sweep> {
         self.sweep
     }
 
@@ -210,20 +210,17 @@ impl Scene {
     }
 
     fn create_vertex(&mut self, v: VertexId, at: Point) -> Result<(), &'static str> {
-        require(self.point(v).is_none(), "there is such a vertex")?;
-        if v.index() >= self.points.len() {
-            self.points.resize(v.index() + 1, None);
-        }
-        self.points[v.index()] = Some(at);
+        let is_next = v.index() == self.points.len();
+        require(is_next, "its number is not the next that is free")?;
+        self.points.push(at);
         Ok(())
     }
 
     fn delete_vertex(&mut self, v: VertexId, at: Point) -> Result<(), &'static str> {
-        require(self.point(v) == Some(at), "there is no such vertex")?;
-        self.points[v.index()] = None;
-        while let Some(None) = self.points.last() {
-            self.points.pop();
-        }
+        let is_last = v.index() + 1 == self.points.len();
+        require(is_last, "it is not the last vertex")?;
+        require(self.point(v) == Some(at), "it lies elsewhere")?;
+        self.points.pop();
         Ok(())
     }
 

@@ -6,6 +6,7 @@ mod facts;
 mod flips;
 mod insertion;
 mod lecture;
+mod named;
 mod polygons;
 mod printed_sweep;
 mod scene;

@@ -1,6 +1,7 @@
 //! One suite for all: whatever is observed can be played forwards and backwards, whoever observes changes
 //! nothing, and all that claim a Delaunay triangulation end in the canonical one.
 
+use super::named::named;
 use delone::classic::{Algorithm, Input, Output, Takes};
 use delone::{Log, Point, Scene, VertexId, triangulate};
 use delone_testkit::generate::{Kind, Random};
@@ -34,7 +35,8 @@ fn check_lines(algorithm: Algorithm, log: &Log) {
     assert!(beyond.is_none(), "there are {lines} lines: {beyond:?}");
 }
 
-/// Plays a log forwards and backwards, comparing the scene at every hundredth step, and returns the last.
+/// Plays a log forwards and backwards, comparing the scene at every hundredth step, and returns the last. No event
+/// names a vertex that is there neither before nor after it; least of all the one at infinity.
 fn check_replay(log: &Log) -> Scene {
     let mut scene = log.first_scene();
     let mut kept = Vec::new();
@@ -53,8 +55,13 @@ fn check_replay(log: &Log) -> Scene {
             let (_, before) = kept.pop().expect("just seen");
             assert!(scene == before, "{}, step {i} is not undone", log.algorithm);
         }
+        let mut named = named(step.event);
+        named.retain(|&v| scene.point(v).is_none());
     }
     last
+        named.retain(|&v| scene.point(v).is_none());
+        let name = &log.algorithm;
+        assert!(named.is_empty(), "{name}, step {i}: {:?}", step.event);
 }
 
 /// Triangles, smallest corner first, sorted.

@@ -29,7 +29,7 @@ use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::observe::{Item, Queue, Stage};
 use crate::predicates::{Bottom, Orientation, circumcenter, circumradius_up, compare_parabolas};
-use crate::{Error, Event, Observer, Point, VertexId};
+use crate::{Error, Event, Observer, Point, Sweep, VertexId};
 use std::cmp::Ordering;
 
 /// What there is to say of it.
@@ -74,7 +74,7 @@ const MENDING: Restoring = Restoring {
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
     let (board, mut sites) = Board::new(input, observer)?;
     sites.sort_by(|&v, &w| by_height(board.point(v), board.point(w)));
-    let mut sweep = Sweep {
+    let mut sweep = Descent {
         board,
         beach: Beach::default(),
         circles: Circles::default(),
@@ -98,7 +98,7 @@ fn by_height(p: Point, q: Point) -> Ordering {
 }
 
 /// The line on its way down.
-struct Sweep<'r, O> {
+struct Descent<'r, O> {
     board: Board<'r, O>,
     beach: Beach,
     circles: Circles,
@@ -107,7 +107,7 @@ struct Sweep<'r, O> {
     triangles: Vec<[VertexId; 3]>,
 }
 
-impl<O: Observer> Sweep<'_, O> {
+impl<O: Observer> Descent<'_, O> {
     fn announce(&mut self, sites: &[VertexId]) {
         self.board.at(1);
         for &v in sites {
@@ -119,8 +119,8 @@ impl<O: Observer> Sweep<'_, O> {
     /// The line meets a site, above which an arc is divided.
     fn meet(&mut self, p: VertexId) {
         self.take(Item::Vertex(p));
-        let at = self.board.point(p).y;
-        self.line.tell_at(&mut self.board, || at);
+        let y = self.board.point(p).y;
+        self.line.tell_at(&mut self.board, || Sweep::Horizontal(y));
         self.board.at(4);
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.board.at(5);
@@ -257,28 +257,26 @@ impl<O: Observer> Sweep<'_, O> {
     fn descend(&mut self, bottom: Bottom, triangle: [VertexId; 3], next: Option<Point>) {
         let [a, b, c] = triangle.map(|v| self.board.point(v));
         let rough = || circumcenter(a, b, c).map_or(0.0, |o| o.y - circumradius_up(a, b, c));
-        let highest = self.line.position().unwrap_or(f64::INFINITY);
-        let lowest = next.map_or(f64::NEG_INFINITY, |p| p.y);
+        let highest = match self.line.position() {
+            Some(Sweep::Horizontal(y)) => y,
+            _ => f64::MAX,
+        };
+        let lowest = next.map_or(-f64::MAX, |p| p.y);
         self.line.tell_at(&mut self.board, || {
-            let at = bottom.rounded().unwrap_or_else(rough);
-            at.min(highest).max(lowest)
+            let y = bottom.rounded().unwrap_or_else(rough);
+            Sweep::Horizontal(y.min(highest).max(lowest))
         });
     }
 
     /// Makes a mesh of the triangles, and flips where there were ties.
     fn finish(mut self) -> Output {
-        self.tell_end(Stage::Sweep);
+        self.board.end(Stage::Sweep);
         if !self.triangles.is_empty() {
             self.board.adopt(&self.triangles);
             self.board.mend(MENDING);
         }
-        self.tell_end(Stage::Repair);
+        self.board.end(Stage::Repair);
         self.board.finish()
-    }
-
-    fn tell_end(&mut self, stage: Stage) {
-        let min_angle = None;
-        self.board.tell(|| Event::StageEnded { stage, min_angle });
     }
 }
 

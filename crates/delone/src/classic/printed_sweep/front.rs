@@ -4,7 +4,7 @@ use super::{Replay, sides};
 use crate::Failure;
 use crate::classic::ascending;
 use crate::predicates::{cross_properly, is_between};
-use crate::{Error, Event, Observer, Point, Stage, VertexId};
+use crate::{Error, Event, Observer, Point, Stage, Sweep, VertexId};
 use std::ops::RangeInclusive;
 
 impl<O: Observer> Replay<'_, O> {
@@ -37,7 +37,7 @@ impl<O: Observer> Replay<'_, O> {
             return;
         };
         let first = self.order[2];
-        self.sweep_to(Some(self.board.point(first).x));
+        self.sweep_to(first);
         for edge in [[below, above], [below, first], [above, first]] {
             self.join(edge);
         }
@@ -59,7 +59,7 @@ impl<O: Observer> Replay<'_, O> {
     fn take(&mut self, next: usize) {
         let p = self.order[next];
         self.board.at(5);
-        self.sweep_to(Some(self.board.point(p).x));
+        self.sweep_to(p);
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.board.at(6);
         let Some(run) = self.visible_run(next) else {
@@ -148,14 +148,12 @@ impl<O: Observer> Replay<'_, O> {
         for at in (0..self.front.len()).rev() {
             self.leave(at);
         }
-        self.sweep_to(None);
+        self.line.tell_end(&mut self.board);
     }
 
-    fn sweep_to(&mut self, to: Option<f64>) {
-        let from = std::mem::replace(&mut self.x, to);
-        if from != to {
-            self.board.tell(|| Event::SweptTo { from, to });
-        }
+    fn sweep_to(&mut self, p: VertexId) {
+        let x = self.board.point(p).x;
+        self.line.tell_at(&mut self.board, || Sweep::Vertical(x));
     }
 
     /// Enters an edge, and shows it if it is new.

@@ -22,6 +22,7 @@ mod front;
 mod tests;
 
 use super::sweep::helper_places;
+use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes, ascending};
 use crate::Failure;
 use crate::pslg::input::check;
@@ -99,8 +100,7 @@ struct Replay<'r, O> {
     front: Vec<VertexId>,
     triangles: Vec<[VertexId; 3]>,
     failures: Vec<Failure>,
-    /// Where the sweep is.
-    x: Option<f64>,
+    line: Swept,
 }
 
 impl<'r, O: Observer> Replay<'r, O> {
@@ -125,7 +125,7 @@ impl<'r, O: Observer> Replay<'r, O> {
             front: Vec::new(),
             triangles: Vec::new(),
             failures: Vec::new(),
-            x: None,
+            line: Swept::default(),
         })
     }
 
