@@ -15,7 +15,7 @@
 //! *Cost*: O(n log n) for sorting; then the hash table of directions makes the search short in practice, and
 //! flips are O(n) for points that are spread evenly, O(n²) at worst. The table only says where to begin.
 
-use super::joining::Restoring;
+use super::restoring::Restoring;
 use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::locate::Location;

@@ -1,5 +1,6 @@
 //! What there is to see between two steps, forwards and backwards.
 
+use super::naming::ascending;
 use super::{Event, Item, Queue, Sweep};
 use crate::predicates::{Orientation, circumcenter, orient2d};
 use crate::{Point, TriangulationHash, VertexId, hash_triangles};
@@ -248,7 +249,7 @@ impl Scene {
     }
 
     fn create_triangle(&mut self, triangle: [VertexId; 3]) -> Result<(), &'static str> {
-        let sides = sides(triangle);
+        let sides = corners(triangle);
         let has = |edge: &[VertexId; 2]| self.edges.contains(&ascending(*edge));
         require(
             sides.iter().all(|(edge, _)| has(edge)),
@@ -263,7 +264,7 @@ impl Scene {
     }
 
     fn delete_triangle(&mut self, triangle: [VertexId; 3]) -> Result<(), &'static str> {
-        let sides = sides(triangle);
+        let sides = corners(triangle);
         let is_there = sides
             .iter()
             .all(|&(edge, apex)| self.apex(edge) == Some(apex));
@@ -396,10 +397,7 @@ fn require(holds: bool, why: &'static str) -> Result<(), &'static str> {
     if holds { Ok(()) } else { Err(why) }
 }
 
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
-}
-
-fn sides([a, b, c]: [VertexId; 3]) -> [([VertexId; 2], VertexId); 3] {
+/// Each side, and the corner opposite to it.
+fn corners([a, b, c]: [VertexId; 3]) -> [([VertexId; 2], VertexId); 3] {
     [([a, b], c), ([b, c], a), ([c, a], b)]
 }

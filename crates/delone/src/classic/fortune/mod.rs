@@ -17,14 +17,15 @@
 //! than three points are on an empty circle, chance decides on the diagonals, and flips make them
 //! canonical in the end; elsewhere nothing is flipped.
 //!
-//! *Cost*: O(n log n) expected for the beach line, O(n log n) for the queue.
+//! *Cost*: O(n log n) expected for the beach line, O(n log n) for the queue; where k points share an empty circle,
+//! up to O(k²) flips besides.
 
 mod beach;
 mod events;
 
 use self::beach::{ArcId, Beach};
 use self::events::Circles;
-use super::joining::Restoring;
+use super::restoring::Restoring;
 use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::observe::{Item, Queue, Stage};
@@ -39,7 +40,7 @@ pub(super) const ABOUT: About = About {
     source: "Fortune 1987",
     idea: "A line sweeps down the plane; where points are as near to it as to the nearest site there is a front \
            of parabolas, whose arcs appear at sites and end where three sites are on one empty circle.",
-    cost: "O(n log n)",
+    cost: "O(n log n) expected; where k points share an empty circle, up to O(k²) flips besides",
     guarantees: "the Delaunay triangulation, made canonical by flips where four points are on a circle",
     takes: Takes::Points,
     is_delaunay: true,
@@ -63,7 +64,7 @@ pub(super) const ABOUT: About = About {
     ],
 };
 
-const MENDING: Restoring = Restoring {
+const RESTORING: Restoring = Restoring {
     push: 13,
     pop: 14,
     examine: 15,
@@ -88,7 +89,7 @@ pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output,
         sweep.meet(site);
     }
     sweep.close_down_to(None);
-    Ok(sweep.finish())
+    sweep.finish()
 }
 
 /// The highest first, of equal ones the leftmost.
@@ -111,8 +112,8 @@ impl<O: Observer> Descent<'_, O> {
     fn announce(&mut self, sites: &[VertexId]) {
         self.board.at(1);
         for &v in sites {
-            let (queue, item) = (Queue::Events, Item::Vertex(v));
-            self.board.tell(|| Event::Pushed { queue, item });
+            let item = Item::Vertex(v);
+            self.board.tell_waiting(Queue::Events, item, true);
         }
     }
 
@@ -211,22 +212,21 @@ impl<O: Observer> Descent<'_, O> {
         let triangle = [c, b, a];
         let bottom = Bottom::new(triangle.map(|v| self.board.point(v)));
         self.circles.push(arc, triangle, bottom);
-        let (queue, item) = (Queue::Events, Item::Triangle(triangle));
-        self.board.tell(|| Event::Pushed { queue, item });
+        let item = Item::Triangle(triangle);
+        self.board.tell_waiting(Queue::Events, item, true);
     }
 
     fn forget(&mut self, arc: ArcId) {
         if let Some(triangle) = self.circles.forget(arc) {
-            let (queue, item) = (Queue::Events, Item::Triangle(triangle));
-            self.board.tell(|| Event::Popped { queue, item });
+            let item = Item::Triangle(triangle);
+            self.board.tell_waiting(Queue::Events, item, false);
         }
     }
 
     /// Tells that it is the turn of an event.
     fn take(&mut self, item: Item) {
         self.board.at(3);
-        let queue = Queue::Events;
-        self.board.tell(|| Event::Popped { queue, item });
+        self.board.tell_waiting(Queue::Events, item, false);
     }
 
     fn insert_after(&mut self, left: ArcId, site: VertexId) -> ArcId {
@@ -269,14 +269,14 @@ impl<O: Observer> Descent<'_, O> {
     }
 
     /// Makes a mesh of the triangles, and flips where there were ties.
-    fn finish(mut self) -> Output {
+    fn finish(mut self) -> Result<Output, Error> {
         self.board.end(Stage::Sweep);
         if !self.triangles.is_empty() {
             self.board.adopt(&self.triangles);
-            self.board.mend(MENDING);
+            self.board.restore_all(RESTORING, Board::flip)?;
         }
         self.board.end(Stage::Repair);
-        self.board.finish()
+        Ok(self.board.finish())
     }
 }
 

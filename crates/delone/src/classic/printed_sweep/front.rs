@@ -1,6 +1,6 @@
 //! The sweep: a front, and what points see of it.
 
-use super::{Replay, sides};
+use super::{Replay, edges};
 use crate::Failure;
 use crate::classic::ascending;
 use crate::predicates::{cross_properly, is_between};
@@ -167,7 +167,7 @@ impl<O: Observer> Replay<'_, O> {
     /// Adds a triangle, and shows those of its sides that nobody has entered.
     fn emit(&mut self, triangle: [VertexId; 3]) {
         self.board.at(8);
-        for edge in sides(triangle) {
+        for edge in edges(triangle) {
             if self.shown.insert(edge) {
                 self.board.tell(|| Event::EdgeCreated { edge });
             }

@@ -23,7 +23,7 @@ mod tests;
 
 use super::sweep::helper_places;
 use super::swept::Swept;
-use super::{About, Board, Input, Output, Takes, ascending};
+use super::{About, Board, Input, Output, Takes, ascending, sides};
 use crate::Failure;
 use crate::pslg::input::check;
 use crate::{DomainRule, Error, Event, Observer, Point, VertexId};
@@ -144,7 +144,7 @@ impl<'r, O: Observer> Replay<'r, O> {
     }
 }
 
-/// Returns the sides of a triangle, smaller end first.
-fn sides([a, b, c]: [VertexId; 3]) -> [[VertexId; 2]; 3] {
-    [[a, b], [b, c], [c, a]].map(ascending)
+/// Returns the edges of a triangle.
+fn edges(triangle: [VertexId; 3]) -> [[VertexId; 2]; 3] {
+    sides(triangle).map(ascending)
 }
