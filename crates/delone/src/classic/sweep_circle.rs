@@ -245,37 +245,24 @@ impl Circle {
         let (next, last) = (board.ends(link[0])[0], board.ends(link[link.len() - 1])[1]);
         if self.latest.is_none() {
             self.first = p;
-            enter(board, p, None);
-            enter(board, next, Some(p));
+            board.enter_front(p, None);
+            board.enter_front(next, Some(p));
             for &h in link {
                 let [before, v] = board.ends(h);
-                enter(board, v, Some(before));
+                board.enter_front(v, Some(before));
             }
             return;
         }
         for &h in &link[1..] {
             let [v, before] = board.ends(h);
             let is_first = v == self.first;
-            board.tell(|| Event::FrontLeft {
-                place: v.raw(),
-                vertex: v,
-                after: (!is_first).then_some(before.raw()),
-            });
+            board.leave_front(v, (!is_first).then_some(before));
             if is_first {
                 self.first = next;
             }
         }
-        enter(board, p, Some(last));
+        board.enter_front(p, Some(last));
     }
-}
-
-/// Tells that a vertex comes to the front.
-fn enter<O: Observer>(board: &mut Board<O>, v: VertexId, before: Option<VertexId>) {
-    board.tell(|| Event::FrontEntered {
-        place: v.raw(),
-        vertex: v,
-        after: before.map(VertexId::raw),
-    });
 }
 
 /// Tells whether `p` sees the hull edge of `h`, a half-edge of a ghost.

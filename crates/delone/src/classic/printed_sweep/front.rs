@@ -43,16 +43,7 @@ impl<O: Observer> Replay<'_, O> {
         }
         self.emit([below, first, above]);
         self.front = vec![below, first, above];
-        let mut after = None;
-        for &vertex in &self.front {
-            let place = vertex.raw();
-            self.board.tell(|| Event::FrontEntered {
-                place,
-                vertex,
-                after,
-            });
-            after = Some(place);
-        }
+        self.board.open_front(&self.front);
     }
 
     /// Lets the sweep come to the point that is next in order.
@@ -125,23 +116,14 @@ impl<O: Observer> Replay<'_, O> {
             self.leave(inner);
         }
         self.front.insert(start + 1, p);
-        let (place, after) = (p.raw(), Some(self.front[start].raw()));
-        self.board.tell(|| Event::FrontEntered {
-            place,
-            vertex: p,
-            after,
-        });
+        self.board.enter_front(p, Some(self.front[start]));
     }
 
     /// Gives up a place of the front.
     fn leave(&mut self, at: usize) {
         let vertex = self.front.remove(at);
-        let before = at.checked_sub(1).map(|before| self.front[before].raw());
-        self.board.tell(|| Event::FrontLeft {
-            place: vertex.raw(),
-            vertex,
-            after: before,
-        });
+        let after = at.checked_sub(1).map(|before| self.front[before]);
+        self.board.leave_front(vertex, after);
     }
 
     fn end(&mut self) {

@@ -85,7 +85,7 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
             self.at(7);
             self.replace(&link, p);
         } else {
-            self.open();
+            self.board.open_front(&self.vertices());
         }
     }
 
@@ -96,20 +96,6 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         self.sides = [self.board.mesh().twin(back), back];
     }
 
-    /// Tells of the first front.
-    fn open(&mut self) {
-        let mut after = None;
-        for vertex in self.vertices() {
-            let place = vertex.raw();
-            self.board.tell(|| Event::FrontEntered {
-                place,
-                vertex,
-                after,
-            });
-            after = Some(place);
-        }
-    }
-
     /// Tells that `p` takes the place of the vertices inside its link, which goes back along the front.
     fn replace(&mut self, link: &[HalfEdgeId], p: VertexId) {
         if !self.board.is_watched() {
@@ -117,15 +103,9 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         }
         let run: Vec<_> = link.iter().map(|&h| self.board.ends(h)[1]).collect();
         for pair in run.windows(2) {
-            self.leave(pair[0], Some(pair[1]));
+            self.board.leave_front(pair[0], Some(pair[1]));
         }
-        let after = run.last().map(|v| v.raw());
-        let place = p.raw();
-        self.board.tell(|| Event::FrontEntered {
-            place,
-            vertex: p,
-            after,
-        });
+        self.board.enter_front(p, run.last().copied());
     }
 
     /// Gives up what is left of the front.
@@ -133,20 +113,11 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         if self.is_open {
             let vertices = self.vertices();
             for pair in vertices.windows(2).rev() {
-                self.leave(pair[1], Some(pair[0]));
+                self.board.leave_front(pair[1], Some(pair[0]));
             }
-            self.leave(self.first, None);
+            self.board.leave_front(self.first, None);
         }
         self.line.tell_end(self.board);
-    }
-
-    fn leave(&mut self, vertex: VertexId, after: Option<VertexId>) {
-        let (place, after) = (vertex.raw(), after.map(VertexId::raw));
-        self.board.tell(|| Event::FrontLeft {
-            place,
-            vertex,
-            after,
-        });
     }
 
     /// Lists the front counter-clockwise, if anybody wants to know.
