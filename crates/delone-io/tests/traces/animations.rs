@@ -121,6 +121,11 @@ fn eventful(seed: u64) -> Recording {
     for &event in &events {
         scene.apply(event).expect("a run");
     }
+    let triangle = scene.triangles().next().expect("seven points");
+    events.extend([
+        Event::TriangleDeleted { triangle },
+        Event::TriangleCreated { triangle },
+    ]);
     let mut maker = Maker::new(seed);
     maker.vertices = 9;
     maker.wild = false;

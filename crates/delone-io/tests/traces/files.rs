@@ -158,14 +158,14 @@ const SPOILED: &[(&str, &str, &str)] = &[
     (
         "edge-created",
         "edge-cremated",
-        "run:22:41: the step names no event that is known",
+        "run:25:41: the step names no event that is known",
     ),
-    ("[0,1]", "[0,-1]", "run:22:"),
-    ("[0,1]", "[0]", "run:22:"),
-    ("[0.0,0.0]", "[0.0]", "run:16:"),
-    (r#""line":1"#, r#""line":70000"#, "run:22:"),
-    (r#""line":1,"#, "", "run:22:"),
-    ("\"steps\":[\n", "\"steps\":[,\n", "run:21:10:"),
+    ("[0,1]", "[0,-1]", "run:24:"),
+    ("[0,1]", "[0]", "run:24:"),
+    ("[0.0,0.0]", "[0.0]", "run:18:"),
+    (r#""line":1"#, r#""line":70000"#, "run:24:"),
+    (r#""line":1,"#, "", "run:24:"),
+    ("\"steps\":[\n", "\"steps\":[,\n", "run:23:10:"),
 ];
 
 #[test]
