@@ -132,7 +132,7 @@ pub use error::{Error, Seed};
 pub use hash::{TriangulationHash, hash_triangles};
 pub use mesh::{HalfEdgeId, Mesh, TriangleId, VertexId};
 pub use observe::{
-    Cut, Event, Failure, Item, Log, NoSuchStep, Observer, Queue, Scene, Stage, Step, Tally,
+    Cut, Event, Failure, Item, Log, NoSuchStep, Observer, Queue, Scene, Stage, Step, Sweep, Tally,
 };
 pub use parallel::on_threads;
 pub use point::Point;

@@ -139,7 +139,8 @@ impl Run {
         if tally.steps > MANY {
             let steps = count(tally.steps as usize);
             progress.note(&[format!(
-                "{steps} steps: that is a large log, of some 64 bytes a step in memory"
+                "{steps} steps: that is a large log, of {} bytes a step in memory",
+                size_of::<Step>()
             )]);
         }
         let mut log = Log::new(self.algorithm.about().name, input.pslg.points.clone());

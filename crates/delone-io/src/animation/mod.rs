@@ -24,7 +24,6 @@ mod player;
 mod raster;
 mod smil;
 mod strip;
-mod sweep;
 mod words;
 
 use crate::picture::View;

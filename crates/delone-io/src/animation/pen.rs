@@ -5,7 +5,7 @@
 
 use super::mark::{Detail, Form, Look, Mark, Spot, spot, tenths};
 use crate::picture::View;
-use delone::{Cut, Point};
+use delone::{Cut, Point, Sweep};
 
 /// Radius, as a multiple of the page, from which on only a part of a circle is drawn.
 const FLAT: f64 = 4.0;
@@ -107,6 +107,18 @@ impl Pen {
         };
         let form = Form::Line(ends.map(spot));
         Mark { look, form }
+    }
+
+    /// The line or circle that sweeps the plane.
+    pub fn sweep(&self, sweep: Sweep) -> Mark {
+        match sweep {
+            Sweep::Vertical(x) => self.cut(Look::Sweep, Cut::Vertical(x)),
+            Sweep::Horizontal(y) => self.cut(Look::Sweep, Cut::Horizontal(y)),
+            Sweep::Circle { center, radius } => {
+                let through = Point::new(center.x + radius, center.y);
+                self.circle_around(Look::Sweep, center, through)
+            }
+        }
     }
 
     /// The circle through three points, if they are not in line on the page.

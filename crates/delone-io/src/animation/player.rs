@@ -9,11 +9,12 @@ use super::highlight::Highlight;
 use super::mark::{CLASSES, Look, Mark, Tone};
 use super::panel::{Caption, Panel};
 use super::pen::Pen;
-use super::sweep::Sweep;
 use super::words::words;
 use crate::picture::smallest_angle;
 use crate::{Error, Recording, cancel};
-use delone::{Event, Item, Log, Observer, Point, Queue, Scene, Step, Tally, VertexId, Watch};
+use delone::{
+    Event, Item, Log, Observer, Point, Queue, Scene, Step, Sweep, Tally, VertexId, Watch,
+};
 use std::collections::BTreeMap;
 
 /// All marks, each as often as it is there, and which have changed.
@@ -61,7 +62,6 @@ pub(super) struct Player<'a> {
     watch: &'a dyn Watch,
     pub pen: &'a Pen,
     panel: Option<&'a Panel>,
-    sweep: Option<Sweep>,
     scene: Scene,
     tally: Tally,
     played: usize,
@@ -97,7 +97,6 @@ impl<'a> Player<'a> {
             watch,
             pen,
             panel,
-            sweep: Sweep::of(log),
             scene: log.first_scene(),
             tally: Tally::default(),
             played: 0,
@@ -147,19 +146,12 @@ impl<'a> Player<'a> {
 
     fn play(&mut self, step: Step) -> Result<(), Error> {
         cancel::check(self.watch, self.played)?;
-        let broken = |why: String| Error::Picture {
-            file: self.file.to_owned(),
-            reason: format!("step {} of the log: {why}", self.played),
-        };
-        if let Event::VertexCreated { vertex, .. } = step.event
-            && vertex.index() >= self.log.points.len() + self.log.steps.len()
-        {
-            let why = format!("{vertex:?} is not the next vertex");
-            return Err(broken(why));
-        }
         let before = self.affected(step.event);
         let fits = self.scene.apply(step.event);
-        fits.map_err(|e| broken(e.to_string()))?;
+        fits.map_err(|why| Error::Picture {
+            file: self.file.to_owned(),
+            reason: format!("step {} of the log: {why}", self.played),
+        })?;
         for mark in before {
             self.marks.remove(mark);
         }
@@ -255,9 +247,7 @@ impl<'a> Player<'a> {
         }
         let mut marks = highlight.marks;
         marks.extend(self.front());
-        if let (Some(sweep), Some(at)) = (&self.sweep, self.scene.sweep()) {
-            marks.push(sweep.mark(self.pen, at));
-        }
+        marks.extend(self.scene.sweep().map(|sweep| self.pen.sweep(sweep)));
         if let Some(panel) = self.panel {
             marks.extend(panel.changing(&self.caption()));
         }
@@ -271,9 +261,9 @@ impl<'a> Player<'a> {
             .front()
             .filter_map(|v| self.scene.point(v))
             .collect();
-        let at = self.scene.sweep();
-        if let (Some(Sweep::Horizontal), Some(at), Some(_)) = (self.sweep, at, self.step) {
-            return beach::marks(self.pen, &points, at);
+        // The result, after the last step, shows the hull instead.
+        if let (Some(Sweep::Horizontal(y)), Some(_)) = (self.scene.sweep(), self.step) {
+            return beach::marks(self.pen, &points, y);
         }
         let pairs = points.windows(2).filter(|pair| pair[0] != pair[1]);
         pairs

@@ -8,7 +8,7 @@ use crate::locate::{Location, locate};
 use crate::observe::{Item, Queue};
 use crate::predicates::Orientation;
 use crate::{Error, Event, HalfEdgeId, Observer, TriangleId, VertexId};
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// What there is to say of it.
 pub(super) const ABOUT: About = About {
@@ -79,7 +79,7 @@ fn first_face(at: Location) -> TriangleId {
 
 fn insert<O: Observer>(board: &mut Board<O>, first: TriangleId, p: VertexId) {
     let mut cavity = vec![first];
-    let mut seen = BTreeSet::from([first]);
+    let mut seen = HashSet::from([first]);
     let mut rim = Vec::new();
     tell_face(board, first, true);
     // Depth first, the rim is met counter-clockwise.
@@ -135,9 +135,6 @@ fn tell_face<O: Observer>(board: &mut Board<O>, t: TriangleId, is_pushed: bool) 
     if corners.iter().any(|v| v.is_infinite()) {
         return;
     }
-    let (queue, item) = (Queue::Cavity, Item::Triangle(corners));
-    board.tell(|| match is_pushed {
-        true => Event::Pushed { queue, item },
-        false => Event::Popped { queue, item },
-    });
+    let item = Item::Triangle(corners);
+    board.tell_waiting(Queue::Cavity, item, is_pushed);
 }

@@ -7,7 +7,7 @@
 //! *Corrected*: the thesis leaves four points on a circle as they are, so its result depends on the order;
 //! here the perturbation decides. And constraints may lie within the domain, not only around it.
 
-use super::{About, Board, Input, Output, Takes, sweep};
+use super::{About, Board, Input, Output, Takes};
 use crate::pace::Pace;
 use crate::tables::{FlipLines, Marks, Tables, Teller, examine};
 use crate::{Error, Observer, Phase, VertexId};
@@ -40,10 +40,7 @@ const LINES: FlipLines = FlipLines {
 
 /// Flips until every edge is locally Delaunay.
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
-    let mut board = match input.start[..] {
-        [] => sweep::lay_out(input, observer)?,
-        _ => Board::from_triangles(input, observer)?,
-    };
+    let mut board = Board::begin(input, observer)?;
     let mut tables = tables_of(&board, &input.start);
     let names = (0..board.points().len()).map(VertexId::new).collect();
     let mut pace = Pace::new(input.watch, Phase::Triangulate, tables.rows.len() as u64);

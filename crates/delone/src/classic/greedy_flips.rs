@@ -12,9 +12,9 @@
 //! is not locally Delaunay has a strictly convex quadrilateral.
 
 use super::conflicts::Conflicts;
-use super::{About, Board, Input, Output, Takes, sweep};
+use super::{About, Board, Input, Output, Takes};
 use crate::observe::{Item, Queue};
-use crate::{Error, Event, HalfEdgeId, Observer, VertexId};
+use crate::{Error, HalfEdgeId, Observer, VertexId};
 use std::collections::VecDeque;
 
 /// What there is to say of it.
@@ -40,7 +40,7 @@ pub(super) const ABOUT: About = About {
 
 /// Flips until all edges are locally Delaunay.
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
-    let mut board = begin(input, observer)?;
+    let mut board = Board::begin(input, observer)?;
     let mut conflicts = Conflicts::count(&mut board);
     board.at(1);
     let Some(e) = outer_edge(&board) else {
@@ -52,17 +52,6 @@ pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output,
         conflicts.flip(&mut board, f);
     }
     Ok(board.finish())
-}
-
-/// Begins with the triangles of the input, or else with those of the sweep.
-pub(super) fn begin<'r, O: Observer>(
-    input: &Input<'r>,
-    observer: &'r mut O,
-) -> Result<Board<'r, O>, Error> {
-    match input.start.is_empty() {
-        true => sweep::lay_out(input, observer),
-        false => Board::from_triangles(input, observer),
-    }
 }
 
 /// Finds the half-edge of the outer face that starts at the lowest vertex. No flip touches it.
@@ -142,9 +131,6 @@ impl Search {
 }
 
 fn tell_search<O: Observer>(board: &mut Board<O>, v: VertexId, is_pushed: bool) {
-    let (queue, item) = (Queue::Search, Item::Vertex(v));
-    board.tell(|| match is_pushed {
-        true => Event::Pushed { queue, item },
-        false => Event::Popped { queue, item },
-    });
+    let item = Item::Vertex(v);
+    board.tell_waiting(Queue::Search, item, is_pushed);
 }

@@ -32,9 +32,8 @@
 //! the line of an outer edge does not see it. The recursion is a stack, popped in the order of the recursion.
 //! *Does not* look for a good place to begin the search, nor choose the order of the points.
 
-use super::joining::Restoring;
+use super::restoring::Restoring;
 use super::{About, Board, Input, Output, Takes};
-use crate::predicates::Orientation;
 use crate::{Error, Event, HalfEdgeId, Observer, VertexId};
 
 /// What there is to say of it.
@@ -74,7 +73,7 @@ pub(super) fn insert_all<O: Observer>(
     order: &[VertexId],
     before: u16,
 ) -> Result<(), Error> {
-    for &p in begin(board, order, before) {
+    for &p in begin(board, order, before)? {
         board.step()?;
         board.at(before + 3);
         board.tell(|| Event::PointConsidered { vertex: p });
@@ -88,23 +87,16 @@ fn begin<'v, O: Observer>(
     board: &mut Board<O>,
     order: &'v [VertexId],
     before: u16,
-) -> &'v [VertexId] {
+) -> Result<&'v [VertexId], Error> {
     board.at(before + 1);
-    let [a, b, rest @ ..] = order else {
-        return &[];
-    };
-    let mut sides = rest.iter().map(|&p| board.orient(*a, *b, p));
-    let beside = sides.position(|side| side != Orientation::Collinear);
-    let (first, rest) = order.split_at(beside.map_or(order.len(), |i| i + 2));
-    let mut row = first.to_vec();
-    row.sort_by(|&v, &w| board.point(v).lex_cmp(&board.point(w)));
+    let (row, rest) = board.first_row(order)?;
     board.at(before + 2);
     board.lay_row(&row);
     let Some((&q, rest)) = rest.split_first() else {
-        return &[];
+        return Ok(&[]);
     };
     join_outside(board, q);
-    rest
+    Ok(rest)
 }
 
 /// Joins `p` to the ends of all outer half-edges that it sees.

@@ -1,10 +1,9 @@
-//! One vertex more: joined to what it sees, as all incremental algorithms do; and what is restored then.
+//! One vertex more: joined to what it sees, as all incremental algorithms do.
 
 use super::Board;
 use crate::locate::Location;
-use crate::observe::{Item, Queue};
 use crate::predicates::Orientation;
-use crate::{Event, HalfEdgeId, Observer, VertexId};
+use crate::{Error, HalfEdgeId, Observer, VertexId};
 
 impl<O: Observer> Board<'_, O> {
     /// Joins `v` to what it sees where it lies, and returns the half-edges opposite to it,
@@ -90,6 +89,28 @@ impl<O: Observer> Board<'_, O> {
         })
     }
 
+    /// Divides vertices into the first ones that are on one line, sorted along it, and the others.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn first_row<'v>(
+        &mut self,
+        order: &'v [VertexId],
+    ) -> Result<(Vec<VertexId>, &'v [VertexId]), Error> {
+        let mut number = order.len().min(2);
+        while number < order.len() {
+            self.step()?;
+            if self.orient(order[0], order[1], order[number]) != Orientation::Collinear {
+                break;
+            }
+            number += 1;
+        }
+        let (row, rest) = order.split_at(number);
+        let mut row = row.to_vec();
+        row.sort_by(|&v, &w| self.point(v).lex_cmp(&self.point(w)));
+        Ok((row, rest))
+    }
+
     /// Lays vertices on one line, in their order, into a row.
     pub fn lay_row(&mut self, row: &[VertexId]) {
         let [a, b, rest @ ..] = row else { return };
@@ -99,57 +120,4 @@ impl<O: Observer> Board<'_, O> {
             end = link.prev();
         }
     }
-
-    /// Makes every edge locally Delaunay again after `v` was joined: examines the edges opposite to it, and
-    /// where one is flipped the two beyond. The last one that was added is examined first, so the order is
-    /// that of a recursion: counter-clockwise around `v`.
-    pub fn restore(&mut self, link: Vec<HalfEdgeId>, lines: Restoring) {
-        let mut suspects = link;
-        suspects.reverse();
-        self.at(lines.push);
-        for &h in &suspects {
-            self.tell_suspect(h, true);
-        }
-        while let Some(h) = suspects.pop() {
-            self.at(lines.pop);
-            self.tell_suspect(h, false);
-            self.at(lines.examine);
-            if self.is_locally_delaunay(h) {
-                continue;
-            }
-            let twin = self.mesh().twin(h);
-            self.at(lines.flip);
-            self.flip(h);
-            for suspect in [twin.prev(), h] {
-                self.tell_suspect(suspect, true);
-                suspects.push(suspect);
-            }
-        }
-    }
-
-    /// Tells that an edge begins to wait, or ends.
-    pub fn tell_suspect(&mut self, h: HalfEdgeId, is_pushed: bool) {
-        let [a, b] = self.ends(h);
-        if a.is_infinite() || b.is_infinite() {
-            return;
-        }
-        let (queue, item) = (Queue::Suspects, Item::Edge([a.min(b), a.max(b)]));
-        self.tell(|| match is_pushed {
-            true => Event::Pushed { queue, item },
-            false => Event::Popped { queue, item },
-        });
-    }
-}
-
-/// Which lines of pseudocode [restore](Board::restore).
-#[derive(Clone, Copy)]
-pub(super) struct Restoring {
-    /// Suspects are pushed.
-    pub push: u16,
-    /// One is popped.
-    pub pop: u16,
-    /// It is examined.
-    pub examine: u16,
-    /// It is flipped, and others are pushed.
-    pub flip: u16,
 }

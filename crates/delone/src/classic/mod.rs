@@ -43,6 +43,7 @@ mod opening;
 mod output;
 mod printed_sweep;
 mod random_incremental;
+mod restoring;
 mod searching;
 mod segment_walk;
 mod segments;
@@ -54,12 +55,13 @@ mod thesis;
 
 pub use crate::tables::EdgeTables;
 pub use about::{About, Takes};
-use board::{Board, ascending};
+use board::Board;
 pub use bounding::{bounding_triangle, printed_bounding_triangle};
 pub use input::Input;
 use input::Sites;
 pub use output::Output;
 
+use crate::observe::{ascending, sides, smallest_first};
 use crate::{Error, Observer};
 
 /// The algorithms.

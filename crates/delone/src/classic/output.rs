@@ -3,6 +3,14 @@
 use crate::{Duplicate, Failure, Point, TriangulationHash, VertexId, hash_triangles};
 
 /// Triangles, over the points of the input and those that were added.
+///
+/// | field | filled by |
+/// |---|---|
+/// | `points`, `duplicates` | all; only [`Thesis`](super::Algorithm::Thesis) adds points |
+/// | `triangles` | all but [`ConvexHull`](super::Algorithm::ConvexHull) |
+/// | `constrained` | all that take segments |
+/// | `hull` | only `ConvexHull` |
+/// | `failures` | only [`PrintedSweep`](super::Algorithm::PrintedSweep), which may name segments in `constrained` that it lost |
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Output {
     /// The points of the input, in its order, then those that were added.
@@ -11,7 +19,7 @@ pub struct Output {
     pub triangles: Vec<[VertexId; 3]>,
     /// The edges that are constraints, smaller end first, sorted.
     pub constrained: Vec<[VertexId; 2]>,
-    /// The convex hull, counter-clockwise, if the algorithm finds that and no triangles.
+    /// The points on the boundary of the convex hull, counter-clockwise.
     pub hull: Vec<VertexId>,
     /// What goes wrong, if the algorithm is replayed as it was printed.
     pub failures: Vec<Failure>,

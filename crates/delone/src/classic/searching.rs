@@ -45,11 +45,8 @@ impl<O: Observer> Board<'_, O> {
     }
 
     fn tell_search(&mut self, t: TriangleId, is_pushed: bool) {
-        let (queue, item) = (Queue::Search, Item::Triangle(self.mesh().corners(t)));
-        self.tell(|| match is_pushed {
-            true => Event::Pushed { queue, item },
-            false => Event::Popped { queue, item },
-        });
+        let item = Item::Triangle(self.mesh().corners(t));
+        self.tell_waiting(Queue::Search, item, is_pushed);
     }
 
     /// Says where `p` lies in a triangle or on its rim; `None`: it lies elsewhere.

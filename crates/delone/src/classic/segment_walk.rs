@@ -119,7 +119,7 @@ impl<O: Observer> Walk<'_, '_, O> {
                 continue;
             }
             let side = self.board.orient(s, self.p, v);
-            if side == Collinear && self.is_towards(s, v) {
+            if side == Collinear && self.board.is_towards(s, v, self.p) {
                 return Ahead::Along(g);
             }
             if side == Right && !w.is_infinite() && self.board.orient(s, self.p, w) == Left {
@@ -185,12 +185,6 @@ impl<O: Observer> Walk<'_, '_, O> {
     fn side(&mut self, h: HalfEdgeId) -> Orientation {
         let [a, b] = self.board.ends(h);
         self.board.orient(a, b, self.p)
-    }
-
-    /// Tells whether `v`, on the line through `s` and the point, lies on the same side of `s`.
-    fn is_towards(&self, s: VertexId, v: VertexId) -> bool {
-        let [s, p, v] = [s, self.p, v].map(|v| self.board.point(v));
-        s.lex_cmp(&v) == s.lex_cmp(&p)
     }
 
     /// Tells whether the point, which lies ahead on the line from `s` to `v`, comes before `v`.

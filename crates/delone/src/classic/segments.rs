@@ -52,7 +52,7 @@ pub(super) fn insert_all<O: Observer>(
     lines: Lines,
 ) -> Result<Vec<Vec<VertexId>>, Error> {
     let segments = &input.pslg.segments;
-    let mut inserter = Inserter::new(board, lines);
+    let mut inserter = Inserter { board, lines };
     let mut chains = Vec::with_capacity(segments.len());
     for ends in segments {
         inserter.board.step()?;
@@ -91,27 +91,10 @@ enum Ahead {
 
 struct Inserter<'b, 'r, O> {
     board: &'b mut Board<'r, O>,
-    /// A half-edge that starts at each vertex.
-    outgoing: Vec<HalfEdgeId>,
     lines: Lines,
 }
 
-impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
-    fn new(board: &'b mut Board<'r, O>, lines: Lines) -> Self {
-        let mut outgoing = vec![HalfEdgeId::new(0); board.points().len()];
-        for h in board.mesh().half_edges() {
-            let origin = board.mesh().origin(h);
-            if !origin.is_infinite() {
-                outgoing[origin.index()] = h;
-            }
-        }
-        Self {
-            board,
-            outgoing,
-            lines,
-        }
-    }
-
+impl<O: Observer> Inserter<'_, '_, O> {
     /// Inserts a segment piece by piece, from vertex to vertex.
     fn insert(&mut self, [a, b]: [VertexId; 2]) -> Result<Vec<VertexId>, Blocked> {
         self.board.at(self.lines.consider);
@@ -135,7 +118,7 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
     /// Looks from `a` towards `b`.
     fn ahead(&mut self, a: VertexId, b: VertexId) -> Ahead {
         self.board.at(self.lines.walk);
-        let first = self.outgoing[a.index()];
+        let first = self.board.spoke(a);
         let mut h = first;
         loop {
             let [_, w] = self.board.ends(h);
@@ -144,7 +127,7 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
             }
             let apex = self.board.mesh().apex(h);
             match self.side(a, b, w) {
-                Some(Orientation::Collinear) if self.is_on_the_way(a, w, b) => {
+                Some(Orientation::Collinear) if self.board.is_towards(a, w, b) => {
                     return Ahead::Along(h);
                 }
                 Some(Orientation::Right) if self.side(a, b, apex) == Some(Orientation::Left) => {
@@ -159,12 +142,6 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
     /// Tells on which side of the line from `a` to `b` a vertex lies, if it is not at infinity.
     fn side(&mut self, a: VertexId, b: VertexId, v: VertexId) -> Option<Orientation> {
         (!v.is_infinite()).then(|| self.board.orient(a, b, v))
-    }
-
-    /// Tells whether `w`, on the line from `a` to `b`, lies on the side of `b`.
-    fn is_on_the_way(&self, a: VertexId, w: VertexId, b: VertexId) -> bool {
-        let [a, w, b] = [a, w, b].map(|v| self.board.point(v));
-        a.lex_cmp(&w) == a.lex_cmp(&b)
     }
 
     /// Makes the part of the segment `ab` up to the first vertex on it an edge, which is returned; `first`
@@ -316,21 +293,13 @@ impl<'b, 'r, O: Observer> Inserter<'b, 'r, O> {
         if let Some(twin) = behind {
             fans[at + 1] = mesh.twin(twin);
         }
-        let g = mesh.twin(h.next()).prev();
-        for h in [h, g, h.next(), g.next()] {
-            let origin = mesh.origin(h);
-            self.outgoing[origin.index()] = h;
-        }
         h.next()
     }
 
     /// Tells that an edge begins to wait, or ends.
     fn tell_waiting(&mut self, h: HalfEdgeId, is_pushed: bool) {
         let edge = ascending(self.board.ends(h));
-        let (queue, item) = (Queue::Crossings, Item::Edge(edge));
-        self.board.tell(|| match is_pushed {
-            true => Event::Pushed { queue, item },
-            false => Event::Popped { queue, item },
-        });
+        let item = Item::Edge(edge);
+        self.board.tell_waiting(Queue::Crossings, item, is_pushed);
     }
 }

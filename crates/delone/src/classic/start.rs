@@ -7,22 +7,34 @@
 //!
 //! *Cost*: that of a constrained Delaunay triangulation with all edges as segments.
 
-use super::{Board, Input, ascending};
+use super::{Board, Input, ascending, sides, smallest_first, sweep};
 use crate::predicates::{Orientation, orient2d};
 use crate::{
-    ConstrainedDelaunay, ConstrainedTriangulation, Error, Event, Observer, Pslg, TriangleId,
+    ConstrainedDelaunay, ConstrainedTriangulation, Error, Observer, Pslg, TriangleId,
     Triangulation, VertexId,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<'r, O: Observer> Board<'r, O> {
+    /// Begins with the triangles of the input, or else with those of the [sweep](super::sweep), told in steps of
+    /// line 0.
+    ///
+    /// # Errors
+    /// As [`from_triangles`](Self::from_triangles), or as the sweep.
+    pub fn begin(input: &Input<'r>, observer: &'r mut O) -> Result<Self, Error> {
+        match input.start.is_empty() {
+            true => sweep::lay_out(input, observer),
+            false => Self::from_triangles(input, observer),
+        }
+    }
+
     /// Begins with the triangles of `input.start`, the segments of the input locked, and tells of them in
     /// steps of line 0.
     ///
     /// # Errors
     /// [`Error::BadTriangle`], [`Error::BadStart`] name the triangle; [`Error::BadSegment`],
     /// [`Error::Crossing`] what is wrong with segments; and what every builder refuses.
-    pub fn from_triangles(input: &Input<'r>, observer: &'r mut O) -> Result<Self, Error> {
+    fn from_triangles(input: &Input<'r>, observer: &'r mut O) -> Result<Self, Error> {
         let mut nobody = ();
         let (mut board, _) = Board::new(input, &mut nobody)?;
         let all = triangulate(input)?;
@@ -32,29 +44,6 @@ impl<'r, O: Observer> Board<'r, O> {
         let locked: BTreeSet<_> = edges.map(|e| ascending([e[0], e[1]])).collect();
         board.take(all.into_triangulation().mesh().clone(), locked, outside);
         Ok(Board::lay_out(board, input, observer))
-    }
-
-    /// Tells of all that there is.
-    pub(super) fn tell_all(&mut self) {
-        if !self.is_watched() {
-            return;
-        }
-        for h in self.visible_edges() {
-            let edge = self.ends(h);
-            self.tell(|| Event::EdgeCreated { edge });
-        }
-        for edge in self.locked().iter().copied().collect::<Vec<_>>() {
-            self.tell(|| Event::EdgeLocked { edge });
-        }
-        for t in self
-            .mesh()
-            .triangles()
-            .filter(|&t| self.is_inside(t))
-            .collect::<Vec<_>>()
-        {
-            let triangle = self.mesh().corners(t);
-            self.tell(|| Event::TriangleCreated { triangle });
-        }
     }
 }
 
@@ -73,10 +62,7 @@ fn triangulate(input: &Input) -> Result<ConstrainedTriangulation, Error> {
             });
         }
     }
-    let sides = input
-        .start
-        .iter()
-        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides = input.start.iter().flat_map(|&t| sides(t));
     let pslg = Pslg {
         points: points.clone(),
         segments: segments.iter().copied().chain(sides).collect(),
@@ -125,16 +111,9 @@ fn find_outside(all: &Triangulation, start: &[[VertexId; 3]]) -> Result<Vec<bool
     Ok(outside)
 }
 
-fn smallest_first(mut corners: [VertexId; 3]) -> [VertexId; 3] {
-    let least = (0..3).min_by_key(|&k| corners[k]);
-    corners.rotate_left(least.expect("three corners"));
-    corners
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::classic::sweep;
     use crate::{Log, Point};
 
     /// A square with a notch from above, and a loose point in the notch.

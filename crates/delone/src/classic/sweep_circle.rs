@@ -15,12 +15,12 @@
 //! *Cost*: O(n log n) for sorting; then the hash table of directions makes the search short in practice, and
 //! flips are O(n) for points that are spread evenly, O(n²) at worst. The table only says where to begin.
 
-use super::joining::Restoring;
+use super::restoring::Restoring;
 use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::locate::Location;
 use crate::predicates::{Orientation, compare_distances, length_up};
-use crate::{Error, Event, HalfEdgeId, Observer, Point, VertexId};
+use crate::{Error, Event, HalfEdgeId, Observer, Point, Sweep, VertexId};
 use std::cmp::Ordering;
 
 /// What there is to say of it.
@@ -102,10 +102,16 @@ fn by_distance<O: Observer>(board: &Board<O>, c: Point, v: VertexId, w: VertexId
     compare_distances(c, p, q).then_with(|| p.lex_cmp(&q))
 }
 
+/// The circle about a center through a point; its radius is rounded up, but finite.
+fn around(center: Point, p: Point) -> Sweep {
+    let radius = length_up([center, p]).min(f64::MAX);
+    Sweep::Circle { center, radius }
+}
+
 /// The circle, and the hull within it.
 struct Circle {
     center: Point,
-    radius: Swept,
+    swept: Swept,
     /// The edge of the first two points.
     seed: HalfEdgeId,
     /// From the ends of the row to infinity, the lexicographically smaller end first, while all points are
@@ -122,11 +128,11 @@ struct Circle {
 impl Circle {
     /// Begins with an edge.
     fn new<O: Observer>(board: &mut Board<O>, center: Point, ends: [VertexId; 2]) -> Self {
-        let mut radius = Swept::default();
+        let mut swept = Swept::default();
         for v in ends {
             board.tell(|| Event::PointConsidered { vertex: v });
             let p = board.point(v);
-            radius.tell_at(board, || length_up([center, p]));
+            swept.tell_at(board, || around(center, p));
         }
         let [a, b] = ends;
         let is_reversed = board.point(a).lex_cmp(&board.point(b)).is_gt();
@@ -138,7 +144,7 @@ impl Circle {
         let size = board.points().len().isqrt();
         Self {
             center,
-            radius,
+            swept,
             seed,
             ends: [board.mesh().twin(seed).next(), seed.next()],
             latest: None,
@@ -150,8 +156,8 @@ impl Circle {
     /// Grows until `p` is on the circle.
     fn grow<O: Observer>(&mut self, board: &mut Board<O>, p: VertexId) {
         board.at(5);
-        let way = [self.center, board.point(p)];
-        self.radius.tell_at(board, || length_up(way));
+        let p = board.point(p);
+        self.swept.tell_at(board, || around(self.center, p));
     }
 
     /// Finds a hull edge that `p` sees, or the end of the row beyond which it lies.
@@ -239,37 +245,24 @@ impl Circle {
         let (next, last) = (board.ends(link[0])[0], board.ends(link[link.len() - 1])[1]);
         if self.latest.is_none() {
             self.first = p;
-            enter(board, p, None);
-            enter(board, next, Some(p));
+            board.enter_front(p, None);
+            board.enter_front(next, Some(p));
             for &h in link {
                 let [before, v] = board.ends(h);
-                enter(board, v, Some(before));
+                board.enter_front(v, Some(before));
             }
             return;
         }
         for &h in &link[1..] {
             let [v, before] = board.ends(h);
             let is_first = v == self.first;
-            board.tell(|| Event::FrontLeft {
-                place: v.raw(),
-                vertex: v,
-                after: (!is_first).then_some(before.raw()),
-            });
+            board.leave_front(v, (!is_first).then_some(before));
             if is_first {
                 self.first = next;
             }
         }
-        enter(board, p, Some(last));
+        board.enter_front(p, Some(last));
     }
-}
-
-/// Tells that a vertex comes to the front.
-fn enter<O: Observer>(board: &mut Board<O>, v: VertexId, before: Option<VertexId>) {
-    board.tell(|| Event::FrontEntered {
-        place: v.raw(),
-        vertex: v,
-        after: before.map(VertexId::raw),
-    });
 }
 
 /// Tells whether `p` sees the hull edge of `h`, a half-edge of a ghost.

@@ -1,25 +1,64 @@
-//! Where a sweep is: for who watches, and for nobody else.
+//! Where a sweep is, and its front: for who watches, and for nobody else.
 
 use super::Board;
-use crate::{Event, Observer};
+use crate::{Event, Observer, Sweep, VertexId};
 
-/// The position of a sweep line or circle, as far as it was told.
+/// A front on which a vertex has one place at most: that of its own number.
+impl<O: Observer> Board<'_, O> {
+    /// Tells that a vertex comes to the front, after another; `None`: as the first.
+    pub fn enter_front(&mut self, vertex: VertexId, after: Option<VertexId>) {
+        self.tell(|| Event::FrontEntered {
+            place: vertex.raw(),
+            vertex,
+            after: after.map(VertexId::raw),
+        });
+    }
+
+    /// Tells of the first front.
+    pub fn open_front(&mut self, vertices: &[VertexId]) {
+        let mut after = None;
+        for &vertex in vertices {
+            self.enter_front(vertex, after);
+            after = Some(vertex);
+        }
+    }
+
+    /// Tells that a vertex, which comes after another, leaves the front.
+    pub fn leave_front(&mut self, vertex: VertexId, after: Option<VertexId>) {
+        self.tell(|| Event::FrontLeft {
+            place: vertex.raw(),
+            vertex,
+            after: after.map(VertexId::raw),
+        });
+    }
+}
+
+/// The sweep line or circle, as far as it was told.
 #[derive(Default)]
-pub(super) struct Swept(Option<f64>);
+pub(super) struct Swept(Option<Sweep>);
 
 impl Swept {
     /// Returns where it is; unknown if nobody watches.
-    pub fn position(&self) -> Option<f64> {
+    pub fn position(&self) -> Option<Sweep> {
         self.0
     }
 
-    /// Tells that it is elsewhere, at most at the largest number.
-    pub fn tell_at<O: Observer>(&mut self, board: &mut Board<O>, position: impl FnOnce() -> f64) {
-        let from = self.0;
-        let to = &mut self.0;
-        board.tell(|| {
-            *to = Some(position().clamp(-f64::MAX, f64::MAX));
-            Event::SweptTo { from, to: *to }
-        });
+    /// Tells that it is elsewhere, if it is.
+    pub fn tell_at<O: Observer>(&mut self, board: &mut Board<O>, at: impl FnOnce() -> Sweep) {
+        if board.is_watched() {
+            self.go(board, Some(at()));
+        }
+    }
+
+    /// Tells that it is over.
+    pub fn tell_end<O: Observer>(&mut self, board: &mut Board<O>) {
+        self.go(board, None);
+    }
+
+    fn go<O: Observer>(&mut self, board: &mut Board<O>, to: Option<Sweep>) {
+        let from = std::mem::replace(&mut self.0, to);
+        if from != to {
+            board.tell(|| Event::SweptTo { from, to });
+        }
     }
 }

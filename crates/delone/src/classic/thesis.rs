@@ -21,7 +21,7 @@ pub(super) const ABOUT: About = About {
     source: "Thesis on constrained Delaunay triangulation and refinement, Ulm 2012",
     idea: "Divide segments evenly, bisect edges that are too long, then open the skinniest triangle, again \
            and again, flipping after each step.",
-    cost: "O(log n) a vertex and an examined edge, of which there may be any number",
+    cost: "O(log n) for each vertex that is added and each edge that is examined; how many, the goals decide",
     guarantees: "a constrained Delaunay mesh with no edge longer than h; no angle",
     takes: Takes::Domain,
     is_delaunay: true,

@@ -26,7 +26,7 @@ pub enum Event {
     },
     /// A vertex disappears; nothing hangs on it any more.
     VertexDeleted {
-        /// Its number.
+        /// Its number: the last one.
         vertex: VertexId,
         /// Where it lay.
         at: Point,
@@ -88,10 +88,10 @@ pub enum Event {
     },
     /// The sweep line or circle has come to another position.
     SweptTo {
-        /// Where it was: an abscissa, an ordinate or a radius.
-        from: Option<f64>,
-        /// Where it is.
-        to: Option<f64>,
+        /// Where it was; `None`: nowhere yet.
+        from: Option<Sweep>,
+        /// Where it is; `None`: it is over.
+        to: Option<Sweep>,
     },
     /// Something begins to wait to be looked at.
     Pushed {
@@ -318,6 +318,27 @@ pub enum Cut {
     Vertical(f64),
     /// By a horizontal line at this ordinate.
     Horizontal(f64),
+}
+
+/// Where a sweep is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+pub enum Sweep {
+    /// A vertical line at this abscissa.
+    Vertical(f64),
+    /// A horizontal line at this ordinate.
+    Horizontal(f64),
+    /// A circle.
+    Circle {
+        /// Its center.
+        center: Point,
+        /// Its radius.
+        radius: f64,
+    },
 }
 
 /// How an algorithm goes wrong that is replayed as it was printed.

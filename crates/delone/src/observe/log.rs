@@ -7,7 +7,7 @@ use crate::Point;
 ///
 /// A run that starts from a triangulation lays it out first, in steps of line 0.
 ///
-/// *Memory*: some 60 bytes a step.
+/// *Memory*: some 70 bytes a step.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Log {

@@ -15,11 +15,13 @@
 
 mod event;
 mod log;
+mod naming;
 mod scene;
 mod tally;
 
-pub use event::{Cut, Event, Failure, Item, Queue, Stage};
+pub use event::{Cut, Event, Failure, Item, Queue, Stage, Sweep};
 pub use log::Log;
+pub(crate) use naming::{ascending, sides, smallest_first};
 pub use scene::{NoSuchStep, Scene};
 pub use tally::Tally;
 

@@ -1,6 +1,7 @@
 //! What there is to see between two steps, forwards and backwards.
 
-use super::{Event, Item, Queue};
+use super::naming::ascending;
+use super::{Event, Item, Queue, Sweep};
 use crate::predicates::{Orientation, circumcenter, orient2d};
 use crate::{Point, TriangulationHash, VertexId, hash_triangles};
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,14 +26,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// *Cost*: O(log n) a step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    points: Vec<Option<Point>>,
+    points: Vec<Point>,
     /// Smaller end first.
     edges: BTreeSet<[VertexId; 2]>,
     locked: BTreeSet<[VertexId; 2]>,
     /// The apex of each directed edge that has a triangle on its left.
     apexes: BTreeMap<[VertexId; 2], VertexId>,
     front: Front,
-    sweep: Option<f64>,
+    sweep: Option<Sweep>,
     queues: BTreeMap<Queue, BTreeMap<Item, usize>>,
     data: BTreeMap<VertexId, [VertexId; 3]>,
     clusters: BTreeMap<u32, Point>,
@@ -66,7 +67,7 @@ impl Scene {
     /// Begins with points alone.
     pub fn new<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Self {
         Self {
-            points: points.into_iter().map(|p| Some(p.into())).collect(),
+            points: points.into_iter().map(Into::into).collect(),
             ..Self::default()
         }
     }
@@ -89,13 +90,13 @@ impl Scene {
 
     /// Returns where a vertex lies, if there is one of this number.
     pub fn point(&self, v: VertexId) -> Option<Point> {
-        self.points.get(v.index()).copied().flatten()
+        self.points.get(v.index()).copied()
     }
 
     /// Visits the vertices, with their positions.
     pub fn vertices(&self) -> impl Iterator<Item = (VertexId, Point)> + '_ {
         let numbered = self.points.iter().enumerate();
-        numbered.filter_map(|(i, p)| p.map(|p| (VertexId::new(i), p)))
+        numbered.map(|(i, &p)| (VertexId::new(i), p))
     }
 
     /// Visits the edges, smaller end first, sorted.
@@ -132,8 +133,8 @@ impl Scene {
         std::iter::successors(self.front.first, next).map(|place| places[&place].vertex)
     }
 
-    /// Returns where the sweep is.
-    pub fn sweep(&self) -> Option<f64> {
+    /// Returns where the sweep is, if there is one.
+    pub fn sweep(&self) -> Option<Sweep> {
         self.sweep
     }
 
@@ -210,20 +211,17 @@ impl Scene {
     }
 
     fn create_vertex(&mut self, v: VertexId, at: Point) -> Result<(), &'static str> {
-        require(self.point(v).is_none(), "there is such a vertex")?;
-        if v.index() >= self.points.len() {
-            self.points.resize(v.index() + 1, None);
-        }
-        self.points[v.index()] = Some(at);
+        let is_next = v.index() == self.points.len();
+        require(is_next, "its number is not the next that is free")?;
+        self.points.push(at);
         Ok(())
     }
 
     fn delete_vertex(&mut self, v: VertexId, at: Point) -> Result<(), &'static str> {
-        require(self.point(v) == Some(at), "there is no such vertex")?;
-        self.points[v.index()] = None;
-        while let Some(None) = self.points.last() {
-            self.points.pop();
-        }
+        let is_last = v.index() + 1 == self.points.len();
+        require(is_last, "it is not the last vertex")?;
+        require(self.point(v) == Some(at), "it lies elsewhere")?;
+        self.points.pop();
         Ok(())
     }
 
@@ -251,7 +249,7 @@ impl Scene {
     }
 
     fn create_triangle(&mut self, triangle: [VertexId; 3]) -> Result<(), &'static str> {
-        let sides = sides(triangle);
+        let sides = corners(triangle);
         let has = |edge: &[VertexId; 2]| self.edges.contains(&ascending(*edge));
         require(
             sides.iter().all(|(edge, _)| has(edge)),
@@ -266,7 +264,7 @@ impl Scene {
     }
 
     fn delete_triangle(&mut self, triangle: [VertexId; 3]) -> Result<(), &'static str> {
-        let sides = sides(triangle);
+        let sides = corners(triangle);
         let is_there = sides
             .iter()
             .all(|&(edge, apex)| self.apex(edge) == Some(apex));
@@ -399,10 +397,7 @@ fn require(holds: bool, why: &'static str) -> Result<(), &'static str> {
     if holds { Ok(()) } else { Err(why) }
 }
 
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
-}
-
-fn sides([a, b, c]: [VertexId; 3]) -> [([VertexId; 2], VertexId); 3] {
+/// Each side, and the corner opposite to it.
+fn corners([a, b, c]: [VertexId; 3]) -> [([VertexId; 2], VertexId); 3] {
     [([a, b], c), ([b, c], a), ([c, a], b)]
 }

@@ -7,6 +7,7 @@ mod flips;
 mod guide;
 mod insertion;
 mod lecture;
+mod named;
 mod polygons;
 mod printed_sweep;
 mod scene;

@@ -2,7 +2,7 @@
 
 use crate::suite::run;
 use delone::classic::{Algorithm, Input, Takes};
-use delone::{Cut, Event, Item, Point, Queue, Scene, VertexId, hash_triangles};
+use delone::{Cut, Event, Item, Point, Queue, Scene, Sweep, VertexId, hash_triangles};
 use delone_testkit::generate::{Kind, Random};
 use proptest::prelude::*;
 
@@ -33,6 +33,10 @@ fn all_changes() -> (Vec<Event>, Scene) {
         after,
     };
     let [first, second] = [Point::new(0.5, 0.5), Point::new(0.25, 0.75)];
+    let circle = Sweep::Circle {
+        center: first,
+        radius: 1.0,
+    };
     events.extend([
         Event::EdgeFlipped {
             from: v([1, 2]),
@@ -49,11 +53,11 @@ fn all_changes() -> (Vec<Event>, Scene) {
         },
         Event::SweptTo {
             from: None,
-            to: Some(0.5),
+            to: Some(Sweep::Vertical(0.5)),
         },
         Event::SweptTo {
-            from: Some(0.5),
-            to: Some(1.0),
+            from: Some(Sweep::Vertical(0.5)),
+            to: Some(circle),
         },
         Event::Pushed { queue, item },
         Event::Pushed { queue, item },
@@ -140,6 +144,25 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
         scene.apply(events[i]).expect("in order");
     }
     assert!(refused > events.len());
+}
+
+/// So that a log which is no algorithm's cannot ask for more memory than it has steps.
+#[test]
+fn vertices_come_and_go_in_their_order() {
+    let mut scene = Scene::new([(0.0, 0.0), (1.0, 0.0)]);
+    let at = Point::new(2.0, 0.0);
+    let before = scene.clone();
+    for number in [0, 1, 3, u32::MAX as usize - 1] {
+        let vertex = VertexId::new(number);
+        let refused = scene.apply(Event::VertexCreated { vertex, at });
+        refused.expect_err("the next one is 2");
+    }
+    let first = Event::VertexDeleted {
+        vertex: VertexId::new(0),
+        at: Point::new(0.0, 0.0),
+    };
+    scene.apply(first).expect_err("the last one is 1");
+    assert!(scene == before);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use delone::predicates::{Orientation, in_circle_perturbed, orient2d};
 use delone::{Point, VertexId, triangulate};
 use delone_testkit::generate::{Kind, Random};
+use delone_testkit::naive;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A triangulation as a set of triangles, each from its lowest corner on.
@@ -34,24 +35,11 @@ pub fn sets() -> Vec<Vec<Point>> {
     sets
 }
 
-/// Visits all triangulations of a set: flips lead from the Delaunay triangulation to each.
+/// Lists all triangulations of a set.
 pub fn all_triangulations(points: &[Point]) -> Vec<Small<'_>> {
-    let delaunay = triangulate(points.iter().copied()).expect("finite");
-    let first = Small::new(points, delaunay.triangles().iter().copied());
-    let mut seen = BTreeSet::from([first.triangles.clone()]);
-    let mut all = vec![first];
-    let mut next = 0;
-    while next < all.len() {
-        for edge in all[next].edges() {
-            if let Some(t) = all[next].flipped(edge)
-                && seen.insert(t.triangles.clone())
-            {
-                all.push(t);
-            }
-        }
-        next += 1;
-    }
-    all
+    let all = naive::all_triangulations(points);
+    let all = all.into_iter();
+    all.map(|t| Small::new(points, t.into_iter())).collect()
 }
 
 impl<'p> Small<'p> {
@@ -61,6 +49,11 @@ impl<'p> Small<'p> {
             points,
             triangles: Triangles(triangles.collect()),
         }
+    }
+
+    pub fn delaunay(points: &'p [Point]) -> Self {
+        let delaunay = triangulate(points.iter().copied()).expect("finite");
+        Self::new(points, delaunay.triangles().iter().copied())
     }
 
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {

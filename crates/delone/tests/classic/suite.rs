@@ -1,10 +1,22 @@
 //! One suite for all: whatever is observed can be played forwards and backwards, whoever observes changes
 //! nothing, and all that claim a Delaunay triangulation end in the canonical one.
 
+use super::named::named;
 use delone::classic::{Algorithm, Input, Output, Takes};
 use delone::{Log, Point, Scene, VertexId, triangulate};
+use delone_testkit::corpus;
 use delone_testkit::generate::{Kind, Random};
 use proptest::prelude::*;
+use std::path::Path;
+
+/// The files that are part of the repository.
+const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
+
+/// Files of up to so many points are run with every log played forwards and backwards.
+const WATCHED: usize = 40;
+
+/// Files of up to so many points are run.
+const FEW: usize = 1000;
 
 /// Runs an algorithm unobserved and observed, plays its log, and compares everything.
 pub fn run(algorithm: Algorithm, input: &Input) -> (Output, Log) {
@@ -34,7 +46,8 @@ fn check_lines(algorithm: Algorithm, log: &Log) {
     assert!(beyond.is_none(), "there are {lines} lines: {beyond:?}");
 }
 
-/// Plays a log forwards and backwards, comparing the scene at every hundredth step, and returns the last.
+/// Plays a log forwards and backwards, comparing the scene at every hundredth step, and returns the last. No event
+/// names a vertex that is there neither before nor after it; least of all the one at infinity.
 fn check_replay(log: &Log) -> Scene {
     let mut scene = log.first_scene();
     let mut kept = Vec::new();
@@ -42,8 +55,13 @@ fn check_replay(log: &Log) -> Scene {
         if i % 100 == 0 {
             kept.push((i, scene.clone()));
         }
+        let mut named = named(step.event);
+        named.retain(|&v| scene.point(v).is_none());
         let fits = scene.apply(step.event);
         fits.unwrap_or_else(|e| panic!("{}, step {i}: {e}", log.algorithm));
+        named.retain(|&v| scene.point(v).is_none());
+        let name = &log.algorithm;
+        assert!(named.is_empty(), "{name}, step {i}: {:?}", step.event);
     }
     let last = scene.clone();
     for (i, step) in log.steps.iter().enumerate().rev() {
@@ -134,6 +152,34 @@ fn every_order_ends_in_the_one_triangulation() {
         Random::new(seed).shuffle(&mut points);
         check_all(&points);
     }
+}
+
+/// Compares the hashes of all algorithms that take points with the engine's, unobserved: so on more points.
+fn check_hashes(name: &str, points: &[Point]) {
+    let expected = triangulate(points.iter().copied()).expect("finite points");
+    let input = Input::from_points(points.iter().copied());
+    let all = Algorithm::ALL.iter().filter(|a| a.about().is_delaunay);
+    for algorithm in all.filter(|&&algorithm| !wants_a_domain(algorithm)) {
+        let output = algorithm.run(&input).expect("finite points");
+        let about = algorithm.about();
+        assert_eq!(output.hash(), expected.hash(), "{} on {name}", about.name);
+    }
+}
+
+#[test]
+fn the_points_of_files_end_in_the_one_triangulation() {
+    let mut checked = [0; 2];
+    for entry in corpus::read_all(Path::new(FIXTURES)) {
+        let points = &entry.pslg.points;
+        if points.len() <= WATCHED {
+            check_all(points);
+            checked[0] += 1;
+        } else if points.len() <= FEW {
+            check_hashes(&entry.name, points);
+            checked[1] += 1;
+        }
+    }
+    assert!(checked[0] > 20 && checked[1] > 2, "{checked:?}");
 }
 
 #[test]

@@ -87,20 +87,9 @@ fn start<'a, O: Observer>(
     order: &'a [VertexId],
 ) -> Result<&'a [VertexId], Error> {
     board.at(line::START);
-    let mut j = order.len();
-    if let [a, b, rest @ ..] = order {
-        for (i, &t) in rest.iter().enumerate() {
-            board.step()?;
-            if board.orient(*a, *b, t) != Orientation::Collinear {
-                j = i + 2;
-                break;
-            }
-        }
-    }
-    let mut row = order[..j].to_vec();
-    row.sort_by(|&v, &w| board.point(v).lex_cmp(&board.point(w)));
+    let (row, rest) = board.first_row(order)?;
     board.lay_row(&row);
-    let Some((&t, rest)) = order[j..].split_first() else {
+    let Some((&t, rest)) = rest.split_first() else {
         return Ok(&[]);
     };
     board.at(line::FAN);

@@ -17,19 +17,20 @@
 //! than three points are on an empty circle, chance decides on the diagonals, and flips make them
 //! canonical in the end; elsewhere nothing is flipped.
 //!
-//! *Cost*: O(n log n) expected for the beach line, O(n log n) for the queue.
+//! *Cost*: O(n log n) expected for the beach line, O(n log n) for the queue; where k points share an empty circle,
+//! up to O(k²) flips besides.
 
 mod beach;
 mod events;
 
 use self::beach::{ArcId, Beach};
 use self::events::Circles;
-use super::joining::Restoring;
+use super::restoring::Restoring;
 use super::swept::Swept;
 use super::{About, Board, Input, Output, Takes};
 use crate::observe::{Item, Queue, Stage};
 use crate::predicates::{Bottom, Orientation, circumcenter, circumradius_up, compare_parabolas};
-use crate::{Error, Event, Observer, Point, VertexId};
+use crate::{Error, Event, Observer, Point, Sweep, VertexId};
 use std::cmp::Ordering;
 
 /// What there is to say of it.
@@ -39,7 +40,7 @@ pub(super) const ABOUT: About = About {
     source: "Fortune 1987",
     idea: "A line sweeps down the plane; where points are as near to it as to the nearest site there is a front \
            of parabolas, whose arcs appear at sites and end where three sites are on one empty circle.",
-    cost: "O(n log n)",
+    cost: "O(n log n) expected; where k points share an empty circle, up to O(k²) flips besides",
     guarantees: "the Delaunay triangulation, made canonical by flips where four points are on a circle",
     takes: Takes::Points,
     is_delaunay: true,
@@ -63,7 +64,7 @@ pub(super) const ABOUT: About = About {
     ],
 };
 
-const MENDING: Restoring = Restoring {
+const RESTORING: Restoring = Restoring {
     push: 13,
     pop: 14,
     examine: 15,
@@ -74,7 +75,7 @@ const MENDING: Restoring = Restoring {
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
     let (board, mut sites) = Board::new(input, observer)?;
     sites.sort_by(|&v, &w| by_height(board.point(v), board.point(w)));
-    let mut sweep = Sweep {
+    let mut sweep = Descent {
         board,
         beach: Beach::default(),
         circles: Circles::default(),
@@ -88,7 +89,7 @@ pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output,
         sweep.meet(site);
     }
     sweep.close_down_to(None);
-    Ok(sweep.finish())
+    sweep.finish()
 }
 
 /// The highest first, of equal ones the leftmost.
@@ -98,7 +99,7 @@ fn by_height(p: Point, q: Point) -> Ordering {
 }
 
 /// The line on its way down.
-struct Sweep<'r, O> {
+struct Descent<'r, O> {
     board: Board<'r, O>,
     beach: Beach,
     circles: Circles,
@@ -107,20 +108,20 @@ struct Sweep<'r, O> {
     triangles: Vec<[VertexId; 3]>,
 }
 
-impl<O: Observer> Sweep<'_, O> {
+impl<O: Observer> Descent<'_, O> {
     fn announce(&mut self, sites: &[VertexId]) {
         self.board.at(1);
         for &v in sites {
-            let (queue, item) = (Queue::Events, Item::Vertex(v));
-            self.board.tell(|| Event::Pushed { queue, item });
+            let item = Item::Vertex(v);
+            self.board.tell_waiting(Queue::Events, item, true);
         }
     }
 
     /// The line meets a site, above which an arc is divided.
     fn meet(&mut self, p: VertexId) {
         self.take(Item::Vertex(p));
-        let at = self.board.point(p).y;
-        self.line.tell_at(&mut self.board, || at);
+        let y = self.board.point(p).y;
+        self.line.tell_at(&mut self.board, || Sweep::Horizontal(y));
         self.board.at(4);
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.board.at(5);
@@ -211,22 +212,21 @@ impl<O: Observer> Sweep<'_, O> {
         let triangle = [c, b, a];
         let bottom = Bottom::new(triangle.map(|v| self.board.point(v)));
         self.circles.push(arc, triangle, bottom);
-        let (queue, item) = (Queue::Events, Item::Triangle(triangle));
-        self.board.tell(|| Event::Pushed { queue, item });
+        let item = Item::Triangle(triangle);
+        self.board.tell_waiting(Queue::Events, item, true);
     }
 
     fn forget(&mut self, arc: ArcId) {
         if let Some(triangle) = self.circles.forget(arc) {
-            let (queue, item) = (Queue::Events, Item::Triangle(triangle));
-            self.board.tell(|| Event::Popped { queue, item });
+            let item = Item::Triangle(triangle);
+            self.board.tell_waiting(Queue::Events, item, false);
         }
     }
 
     /// Tells that it is the turn of an event.
     fn take(&mut self, item: Item) {
         self.board.at(3);
-        let queue = Queue::Events;
-        self.board.tell(|| Event::Popped { queue, item });
+        self.board.tell_waiting(Queue::Events, item, false);
     }
 
     fn insert_after(&mut self, left: ArcId, site: VertexId) -> ArcId {
@@ -257,28 +257,26 @@ impl<O: Observer> Sweep<'_, O> {
     fn descend(&mut self, bottom: Bottom, triangle: [VertexId; 3], next: Option<Point>) {
         let [a, b, c] = triangle.map(|v| self.board.point(v));
         let rough = || circumcenter(a, b, c).map_or(0.0, |o| o.y - circumradius_up(a, b, c));
-        let highest = self.line.position().unwrap_or(f64::INFINITY);
-        let lowest = next.map_or(f64::NEG_INFINITY, |p| p.y);
+        let highest = match self.line.position() {
+            Some(Sweep::Horizontal(y)) => y,
+            _ => f64::MAX,
+        };
+        let lowest = next.map_or(-f64::MAX, |p| p.y);
         self.line.tell_at(&mut self.board, || {
-            let at = bottom.rounded().unwrap_or_else(rough);
-            at.min(highest).max(lowest)
+            let y = bottom.rounded().unwrap_or_else(rough);
+            Sweep::Horizontal(y.min(highest).max(lowest))
         });
     }
 
     /// Makes a mesh of the triangles, and flips where there were ties.
-    fn finish(mut self) -> Output {
-        self.tell_end(Stage::Sweep);
+    fn finish(mut self) -> Result<Output, Error> {
+        self.board.end(Stage::Sweep);
         if !self.triangles.is_empty() {
             self.board.adopt(&self.triangles);
-            self.board.mend(MENDING);
+            self.board.restore_all(RESTORING, Board::flip)?;
         }
-        self.tell_end(Stage::Repair);
-        self.board.finish()
-    }
-
-    fn tell_end(&mut self, stage: Stage) {
-        let min_angle = None;
-        self.board.tell(|| Event::StageEnded { stage, min_angle });
+        self.board.end(Stage::Repair);
+        Ok(self.board.finish())
     }
 }
 

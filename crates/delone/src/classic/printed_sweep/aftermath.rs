@@ -1,8 +1,9 @@
 //! What comes after the sweep: helpers and triangles that go, and segments that are missing.
 
-use super::{Replay, sides};
+use super::{Replay, edges};
 use crate::Failure;
 use crate::classic::inside::{centroid, crosses};
+use crate::classic::sides;
 use crate::predicates::Orientation;
 use crate::{Event, Observer, Stage, VertexId};
 use std::collections::BTreeSet;
@@ -25,7 +26,7 @@ impl<O: Observer> Replay<'_, O> {
     /// Turns triangles that are clockwise, and leaves those out that then lie upon others.
     pub(super) fn turn(&mut self) {
         self.board.at(11);
-        let mut taken: BTreeSet<_> = self.triangles.iter().flat_map(|&t| directed(t)).collect();
+        let mut taken: BTreeSet<_> = self.triangles.iter().flat_map(|&t| sides(t)).collect();
         for triangle @ [a, b, c] in std::mem::take(&mut self.triangles) {
             if self.board.orient(a, b, c) != Orientation::Right {
                 self.triangles.push(triangle);
@@ -33,13 +34,13 @@ impl<O: Observer> Replay<'_, O> {
             }
             self.tell_deleted(vec![triangle]);
             let turned = [a, c, b];
-            for side in directed(triangle) {
+            for side in sides(triangle) {
                 taken.remove(&side);
             }
-            if directed(turned).iter().any(|side| taken.contains(side)) {
+            if sides(turned).iter().any(|side| taken.contains(side)) {
                 self.fail(Failure::Overlaps(triangle));
             } else {
-                taken.extend(directed(turned));
+                taken.extend(sides(turned));
                 self.board
                     .tell(|| Event::TriangleCreated { triangle: turned });
                 self.triangles.push(turned);
@@ -49,10 +50,10 @@ impl<O: Observer> Replay<'_, O> {
 
     /// Says which segments are sides of no triangle.
     pub(super) fn look_for_segments(&mut self) {
-        let sides: BTreeSet<_> = self.triangles.iter().flat_map(|&t| sides(t)).collect();
+        let edges_left: BTreeSet<_> = self.triangles.iter().flat_map(|&t| edges(t)).collect();
         for segment in self
             .segments
-            .difference(&sides)
+            .difference(&edges_left)
             .copied()
             .collect::<Vec<_>>()
         {
@@ -67,9 +68,9 @@ impl<O: Observer> Replay<'_, O> {
         self.board.at(14);
         self.triangles = kept;
         self.tell_deleted(gone);
-        let sides: BTreeSet<_> = self.triangles.iter().flat_map(|&t| sides(t)).collect();
+        let edges_left: BTreeSet<_> = self.triangles.iter().flat_map(|&t| edges(t)).collect();
         let segments = std::mem::take(&mut self.segments);
-        self.hide(|edge| !sides.contains(edge) && !segments.contains(edge));
+        self.hide(|edge| !edges_left.contains(edge) && !segments.contains(edge));
         self.segments = segments;
         self.board.end(Stage::InsideTest);
     }
@@ -106,9 +107,4 @@ impl<O: Observer> Replay<'_, O> {
             }
         }
     }
-}
-
-/// Returns the sides of a triangle as it runs through them.
-fn directed([a, b, c]: [VertexId; 3]) -> [[VertexId; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
 }

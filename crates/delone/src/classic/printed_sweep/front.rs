@@ -1,10 +1,10 @@
 //! The sweep: a front, and what points see of it.
 
-use super::{Replay, sides};
+use super::{Replay, edges};
 use crate::Failure;
 use crate::classic::ascending;
 use crate::predicates::{cross_properly, is_between};
-use crate::{Error, Event, Observer, Point, Stage, VertexId};
+use crate::{Error, Event, Observer, Point, Stage, Sweep, VertexId};
 use std::ops::RangeInclusive;
 
 impl<O: Observer> Replay<'_, O> {
@@ -37,29 +37,20 @@ impl<O: Observer> Replay<'_, O> {
             return;
         };
         let first = self.order[2];
-        self.sweep_to(Some(self.board.point(first).x));
+        self.sweep_to(first);
         for edge in [[below, above], [below, first], [above, first]] {
             self.join(edge);
         }
         self.emit([below, first, above]);
         self.front = vec![below, first, above];
-        let mut after = None;
-        for &vertex in &self.front {
-            let place = vertex.raw();
-            self.board.tell(|| Event::FrontEntered {
-                place,
-                vertex,
-                after,
-            });
-            after = Some(place);
-        }
+        self.board.open_front(&self.front);
     }
 
     /// Lets the sweep come to the point that is next in order.
     fn take(&mut self, next: usize) {
         let p = self.order[next];
         self.board.at(5);
-        self.sweep_to(Some(self.board.point(p).x));
+        self.sweep_to(p);
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.board.at(6);
         let Some(run) = self.visible_run(next) else {
@@ -125,37 +116,26 @@ impl<O: Observer> Replay<'_, O> {
             self.leave(inner);
         }
         self.front.insert(start + 1, p);
-        let (place, after) = (p.raw(), Some(self.front[start].raw()));
-        self.board.tell(|| Event::FrontEntered {
-            place,
-            vertex: p,
-            after,
-        });
+        self.board.enter_front(p, Some(self.front[start]));
     }
 
     /// Gives up a place of the front.
     fn leave(&mut self, at: usize) {
         let vertex = self.front.remove(at);
-        let before = at.checked_sub(1).map(|before| self.front[before].raw());
-        self.board.tell(|| Event::FrontLeft {
-            place: vertex.raw(),
-            vertex,
-            after: before,
-        });
+        let after = at.checked_sub(1).map(|before| self.front[before]);
+        self.board.leave_front(vertex, after);
     }
 
     fn end(&mut self) {
         for at in (0..self.front.len()).rev() {
             self.leave(at);
         }
-        self.sweep_to(None);
+        self.line.tell_end(&mut self.board);
     }
 
-    fn sweep_to(&mut self, to: Option<f64>) {
-        let from = std::mem::replace(&mut self.x, to);
-        if from != to {
-            self.board.tell(|| Event::SweptTo { from, to });
-        }
+    fn sweep_to(&mut self, p: VertexId) {
+        let x = self.board.point(p).x;
+        self.line.tell_at(&mut self.board, || Sweep::Vertical(x));
     }
 
     /// Enters an edge, and shows it if it is new.
@@ -169,7 +149,7 @@ impl<O: Observer> Replay<'_, O> {
     /// Adds a triangle, and shows those of its sides that nobody has entered.
     fn emit(&mut self, triangle: [VertexId; 3]) {
         self.board.at(8);
-        for edge in sides(triangle) {
+        for edge in edges(triangle) {
             if self.shown.insert(edge) {
                 self.board.tell(|| Event::EdgeCreated { edge });
             }

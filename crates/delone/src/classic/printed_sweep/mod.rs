@@ -22,7 +22,8 @@ mod front;
 mod tests;
 
 use super::sweep::helper_places;
-use super::{About, Board, Input, Output, Takes, ascending};
+use super::swept::Swept;
+use super::{About, Board, Input, Output, Takes, ascending, sides};
 use crate::Failure;
 use crate::pslg::input::check;
 use crate::{DomainRule, Error, Event, Observer, Point, VertexId};
@@ -99,8 +100,7 @@ struct Replay<'r, O> {
     front: Vec<VertexId>,
     triangles: Vec<[VertexId; 3]>,
     failures: Vec<Failure>,
-    /// Where the sweep is.
-    x: Option<f64>,
+    line: Swept,
 }
 
 impl<'r, O: Observer> Replay<'r, O> {
@@ -125,7 +125,7 @@ impl<'r, O: Observer> Replay<'r, O> {
             front: Vec::new(),
             triangles: Vec::new(),
             failures: Vec::new(),
-            x: None,
+            line: Swept::default(),
         })
     }
 
@@ -144,7 +144,7 @@ impl<'r, O: Observer> Replay<'r, O> {
     }
 }
 
-/// Returns the sides of a triangle, smaller end first.
-fn sides([a, b, c]: [VertexId; 3]) -> [[VertexId; 2]; 3] {
-    [[a, b], [b, c], [c, a]].map(ascending)
+/// Returns the edges of a triangle.
+fn edges(triangle: [VertexId; 3]) -> [[VertexId; 2]; 3] {
+    sides(triangle).map(ascending)
 }

@@ -1,9 +1,10 @@
 //! The sweep itself: points in lexicographic order, joined to a front that is their convex hull.
 
 use crate::classic::Board;
+use crate::classic::swept::Swept;
 use crate::locate::Location;
 use crate::predicates::Orientation;
-use crate::{Error, Event, HalfEdgeId, Observer, VertexId};
+use crate::{Error, Event, HalfEdgeId, Observer, Sweep, VertexId};
 
 /// Joins vertices in lexicographic order, each to what it sees of those before.
 ///
@@ -32,8 +33,7 @@ struct Front<'b, 'r, O> {
     sides: [HalfEdgeId; 2],
     /// Whether there is a triangle: only then there is a front to be told of.
     is_open: bool,
-    /// Where the sweep is.
-    x: Option<f64>,
+    line: Swept,
 }
 
 impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
@@ -45,14 +45,15 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
             first,
             sides,
             is_open: false,
-            x: None,
+            line: Swept::default(),
         }
     }
 
     /// Lets the sweep come to `p`.
     fn take(&mut self, p: VertexId) {
         self.at(4);
-        self.sweep_to(Some(self.board.point(p).x));
+        let x = self.board.point(p).x;
+        self.line.tell_at(self.board, || Sweep::Vertical(x));
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.at(5);
         match self.visible_side(p) {
@@ -64,13 +65,6 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
     /// States which line runs; before there is a front, the line that makes it.
     fn at(&mut self, line: u16) {
         self.board.at(if self.is_open { line } else { 3 });
-    }
-
-    fn sweep_to(&mut self, to: Option<f64>) {
-        let from = std::mem::replace(&mut self.x, to);
-        if from != to {
-            self.board.tell(|| Event::SweptTo { from, to });
-        }
     }
 
     /// Returns a hull edge at the last vertex that has `p` beyond it; none in a row that `p` lengthens.
@@ -91,7 +85,7 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
             self.at(7);
             self.replace(&link, p);
         } else {
-            self.open();
+            self.board.open_front(&self.vertices());
         }
     }
 
@@ -102,20 +96,6 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         self.sides = [self.board.mesh().twin(back), back];
     }
 
-    /// Tells of the first front.
-    fn open(&mut self) {
-        let mut after = None;
-        for vertex in self.vertices() {
-            let place = vertex.raw();
-            self.board.tell(|| Event::FrontEntered {
-                place,
-                vertex,
-                after,
-            });
-            after = Some(place);
-        }
-    }
-
     /// Tells that `p` takes the place of the vertices inside its link, which goes back along the front.
     fn replace(&mut self, link: &[HalfEdgeId], p: VertexId) {
         if !self.board.is_watched() {
@@ -123,15 +103,9 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         }
         let run: Vec<_> = link.iter().map(|&h| self.board.ends(h)[1]).collect();
         for pair in run.windows(2) {
-            self.leave(pair[0], Some(pair[1]));
+            self.board.leave_front(pair[0], Some(pair[1]));
         }
-        let after = run.last().map(|v| v.raw());
-        let place = p.raw();
-        self.board.tell(|| Event::FrontEntered {
-            place,
-            vertex: p,
-            after,
-        });
+        self.board.enter_front(p, run.last().copied());
     }
 
     /// Gives up what is left of the front.
@@ -139,20 +113,11 @@ impl<'b, 'r, O: Observer> Front<'b, 'r, O> {
         if self.is_open {
             let vertices = self.vertices();
             for pair in vertices.windows(2).rev() {
-                self.leave(pair[1], Some(pair[0]));
+                self.board.leave_front(pair[1], Some(pair[0]));
             }
-            self.leave(self.first, None);
+            self.board.leave_front(self.first, None);
         }
-        self.sweep_to(None);
-    }
-
-    fn leave(&mut self, vertex: VertexId, after: Option<VertexId>) {
-        let (place, after) = (vertex.raw(), after.map(VertexId::raw));
-        self.board.tell(|| Event::FrontLeft {
-            place,
-            vertex,
-            after,
-        });
+        self.line.tell_end(self.board);
     }
 
     /// Lists the front counter-clockwise, if anybody wants to know.

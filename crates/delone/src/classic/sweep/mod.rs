@@ -32,7 +32,7 @@ use super::segments::{self, insert_all};
 use super::{About, Board, Input, Output, Takes};
 use crate::predicates::Orientation;
 use crate::pslg::input::{check, require_closed};
-use crate::{DomainRule, Error, Event, Observer, Stage};
+use crate::{DomainRule, Error, Observer, Stage};
 
 /// What there is to say of it.
 pub(super) const ABOUT: About = About {
@@ -136,15 +136,5 @@ fn require_upright(board: &mut Board<impl Observer>) {
         let [a, b, c] = board.mesh().corners(t);
         let turn = board.orient(a, b, c);
         debug_assert_eq!(turn, Orientation::Left, "bug: a triangle is not upright");
-    }
-}
-
-impl<O: Observer> Board<'_, O> {
-    /// Tells that a part of the work is done.
-    pub fn end(&mut self, stage: Stage) {
-        self.tell(|| Event::StageEnded {
-            stage,
-            min_angle: None,
-        });
     }
 }

@@ -3,6 +3,7 @@
 //! *Cost*: O(n log n); made only if anybody watches.
 
 use crate::constrained::Steiner;
+use crate::observe::{ascending, smallest_first};
 use crate::{ConstrainedTriangulation, Event, Observer, Point, VertexId};
 use std::collections::BTreeSet;
 
@@ -108,19 +109,5 @@ impl Picture {
         for &triangle in to.triangles.difference(&self.triangles) {
             tell(Event::TriangleCreated { triangle });
         }
-    }
-}
-
-fn ascending([a, b]: [VertexId; 2]) -> [VertexId; 2] {
-    [a.min(b), a.max(b)]
-}
-
-fn smallest_first([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
-    if a < b && a < c {
-        [a, b, c]
-    } else if b < c {
-        [b, c, a]
-    } else {
-        [c, a, b]
     }
 }
