@@ -2,7 +2,7 @@
 
 use super::steps::{Maker, one_of_each, recording};
 use delone::classic::{Algorithm, Input};
-use delone::{Event, Log, Point, VertexId, Watch};
+use delone::{Event, Log, Point, Sweep, VertexId, Watch};
 use delone_io::{Error, LogFormat, Recording, Source, read_log, write_log};
 use proptest::prelude::*;
 
@@ -65,9 +65,9 @@ fn runs_come_back() {
 
 #[test]
 fn what_is_not_finite_only_bytes_can_hold() {
-    let swept = |to| Event::SweptTo {
+    let swept = |y| Event::SweptTo {
         from: None,
-        to: Some(to),
+        to: Some(Sweep::Horizontal(y)),
     };
     for to in [f64::INFINITY, f64::NEG_INFINITY, -0.0] {
         let recording = recording(Vec::new(), [swept(1.0), swept(to)]);
