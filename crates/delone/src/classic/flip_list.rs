@@ -34,7 +34,7 @@ pub(super) const ABOUT: About = About {
 /// Flips until the list is empty.
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
     let mut board = begin(input, observer)?;
-    let mut conflicts = Conflicts::count(&mut board);
+    let mut conflicts = Conflicts::count(&mut board)?;
     let mut list = List::of(&board);
     board.at(1);
     for edge in 0..list.half_edges.len() {
