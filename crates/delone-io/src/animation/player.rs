@@ -12,7 +12,9 @@ use super::sweep::Sweep;
 use super::words::words;
 use crate::picture::smallest_angle;
 use crate::{Error, Recording, cancel};
-use delone::{Event, Item, Log, Observer, Point, Queue, Scene, Step, Tally, VertexId, Watch};
+use delone::{
+    Event, Item, Log, Observer, Phase, Point, Queue, Scene, Step, Tally, VertexId, Watch,
+};
 use std::collections::BTreeMap;
 
 /// All marks, each as often as it is there, and which have changed.
@@ -125,6 +127,8 @@ impl<'a> Player<'a> {
         if is_result {
             self.end_turn();
         }
+        let steps = self.log.steps.len() as u64;
+        self.watch.progress(Phase::Draw, end as u64, steps);
         self.passing = self.current();
         for mark in &self.passing {
             self.marks.add(mark.clone());
