@@ -355,7 +355,7 @@ fn ticks([low, high]: [f64; 2]) -> Vec<(f64, String)> {
 /// Writes a round number: `0.05`, `20`, `3k`, `1M`.
 fn shortly(v: f64) -> String {
     match v {
-        _ if v >= 1e12 || v < 1e-4 => format!("{v:e}"),
+        _ if !(1e-4..1e12).contains(&v) => format!("{v:e}"),
         _ if v >= 1e9 => format!("{}G", v / 1e9),
         _ if v >= 1e6 => format!("{}M", v / 1e6),
         _ if v >= 1e3 => format!("{}k", v / 1e3),

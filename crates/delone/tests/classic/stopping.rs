@@ -2,7 +2,7 @@
 
 use delone::classic::{Algorithm, Input};
 use delone::{DomainRule, Error, Pslg, Quality, Watch};
-use delone_samples::Distribution;
+use delone_testkit::generate::Kind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Counts how often it is asked, and says yes once it has been asked often enough.
@@ -33,7 +33,7 @@ fn cancelled(algorithm: Algorithm, input: Input) -> usize {
 
 #[test]
 fn searches_and_tests_of_sight_count() {
-    let points = Distribution::Uniform.points(600, 1);
+    let points = Kind::Uniform.points(600, 1);
     for algorithm in [
         Algorithm::GreedyFlips,
         Algorithm::PrintedSweep,
@@ -49,7 +49,7 @@ fn searches_and_tests_of_sight_count() {
 fn rays_to_all_sides_count() {
     // A ring of many sides: few flips, but every triangle is tested against every side.
     let sides = 1500;
-    let angle = |i: usize| std::f64::consts::TAU * i as f64 / sides as f64;
+    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(sides);
     let points = (0..sides).map(|i| (angle(i).cos(), angle(i).sin()));
     let mut pslg = Pslg::from_points(points);
     pslg.add_ring(0..sides);
