@@ -104,21 +104,16 @@ impl Algorithms {
         match &self.command {
             None if self.json => {
                 let all = Algorithm::ALL.iter().map(|a| Description::from(a.about()));
-                print_json(&all.collect::<Vec<_>>())
+                files::print_json(&all.collect::<Vec<_>>())
             }
             None => files::print(&list()),
             Some(Command::Show(show)) if show.json => {
-                print_json(&Description::from(show.algorithm.about()))
+                files::print_json(&Description::from(show.algorithm.about()))
             }
             Some(Command::Show(show)) => files::print(&explained(show.algorithm.about())),
             Some(Command::Run(run)) => run.run(quiet),
         }
     }
-}
-
-fn print_json(what: &impl Serialize) -> Result<(), Failure> {
-    let json = serde_json::to_string(what);
-    files::print(&json.expect("bug: numbers and strings always serialise"))
 }
 
 /// One line for each algorithm.

@@ -14,6 +14,7 @@ use delone_io::{
 };
 use family::Member;
 pub use input::{Input, Reading};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Options about outputs.
@@ -27,10 +28,9 @@ pub struct Writing {
     /// them all but --picture: node, ele, poly, csv, npy, geojson, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
-    /// Longer side of pictures, in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = PictureOptions::default().size,
-          value_parser = clap::value_parser!(u32).range(16..=8192))]
-    size: u32,
+    /// Longer side of pictures, in pixels [default: 1200]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(16..=8192))]
+    size: Option<u32>,
 }
 
 /// Outputs whose names, formats and folders have been looked at before the work begins.
@@ -79,12 +79,22 @@ impl Outputs {
             .collect()
     }
 
+    /// Settles a file that somebody else writes, alone.
+    pub fn reserve(&mut self, path: &Path) -> Result<(), Failure> {
+        self.add_member(family::alone(path))
+    }
+
+    fn add_member(&mut self, member: Member) -> Result<(), Failure> {
+        member.require_writable()?;
+        let apart = |other: &Member| member.require_apart_from(other);
+        self.members.iter().try_for_each(apart)?;
+        self.members.push(member);
+        Ok(())
+    }
+
     fn add_file(&mut self, path: &Path, format: Format, content: Content) -> Result<(), Failure> {
         for member in family::members(path, format, content) {
-            member.require_writable()?;
-            let apart = |other: &Member| member.require_apart_from(other);
-            self.members.iter().try_for_each(apart)?;
-            self.members.push(member);
+            self.add_member(member)?;
         }
         let target = Target::from_arg(path, Some(format));
         if content.is_aside() {
@@ -149,8 +159,8 @@ impl Writing {
         Ok(outputs)
     }
 
-    /// Returns the longer side of pictures, in pixels.
-    pub fn size(&self) -> u32 {
+    /// Returns the longer side of pictures, in pixels, if it was asked for.
+    pub fn size(&self) -> Option<u32> {
         self.size
     }
 
@@ -329,11 +339,12 @@ impl Writing {
     }
 
     fn options(&self) -> WriteOptions {
+        let usual = PictureOptions::default();
         WriteOptions {
             one_based: self.one_based,
             picture: PictureOptions {
-                size: self.size,
-                ..PictureOptions::default()
+                size: self.size.unwrap_or(usual.size),
+                ..usual
             },
             ..WriteOptions::default()
         }
@@ -377,6 +388,12 @@ pub fn unwritable(error: Error) -> Failure {
         Error::Unsupported { .. } => Failure::Usage(error.to_string()),
         _ => Failure::NotReached(error.to_string()),
     }
+}
+
+/// Prints one JSON object, or array, on standard output.
+pub fn print_json(what: &impl Serialize) -> Result<(), Failure> {
+    let json = serde_json::to_string(what);
+    print(&json.expect("bug: numbers and strings always serialise"))
 }
 
 /// Prints one line on standard output.

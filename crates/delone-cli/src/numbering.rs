@@ -11,6 +11,8 @@ pub struct Numbering {
     /// The number of the first point; segments, holes and regions are counted from it too.
     base: usize,
     lines: Lines,
+    /// What is to be done about segments that cross.
+    about_crossings: &'static str,
 }
 
 impl Numbering {
@@ -25,6 +27,15 @@ impl Numbering {
             file: file.to_owned(),
             base: points.base as usize,
             lines: points.lines.clone(),
+            about_crossings: "--crossings split",
+        }
+    }
+
+    /// Says of segments that cross that this is to be done about them.
+    pub fn about_crossings(self, about_crossings: &'static str) -> Self {
+        Self {
+            about_crossings,
+            ..self
         }
     }
 
@@ -44,11 +55,17 @@ impl Numbering {
                 | Error::BadWeight { .. }
                 | Error::ValueNotFinite { .. }
                 | Error::ValuesDiffer { .. }
+                | Error::BadTriangle { .. }
+                | Error::BadStart { .. }
+                | Error::SameSide { .. }
         );
-        let is_usage = matches!(error, Error::BadLevel { .. } | Error::BadGrid { .. });
+        let is_usage = matches!(
+            error,
+            Error::BadLevel { .. } | Error::BadGrid { .. } | Error::NotTaken { .. }
+        );
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
-            Error::Crossing { .. } => ": --crossings split".to_owned(),
+            Error::Crossing { .. } => format!(": {}", self.about_crossings),
             Error::ValuesDiffer { vertices, .. } => match self.line(vertices[0].index()) {
                 Some(line) => format!(": --average; the first stands on line {line}"),
                 None => ": --average".to_owned(),
@@ -161,6 +178,23 @@ impl Numbering {
                 vertices: vertices.map(|v| VertexId::new(v.index() + base)),
                 values,
             },
+            Error::BadTriangle {
+                triangle,
+                vertex,
+                points,
+            } => Error::BadTriangle {
+                triangle: triangle + base,
+                vertex: VertexId::new(vertex.index() + base),
+                points,
+            },
+            Error::BadStart { triangle, why } => Error::BadStart {
+                triangle: triangle + base,
+                why,
+            },
+            Error::SameSide { triangles, edge } => Error::SameSide {
+                triangles: triangles.map(|t| t + base),
+                edge: edge.map(|v| VertexId::new(v.index() + base)),
+            },
             Error::SeedNotFinite { seed, at } => Error::SeedNotFinite {
                 seed: self.renumber_seed(seed),
                 at,
@@ -204,6 +238,7 @@ mod tests {
             file: "k.poly".to_owned(),
             base,
             lines: Lines::default(),
+            about_crossings: "--crossings split",
         }
     }
 
@@ -253,6 +288,45 @@ mod tests {
                 .note(&Warning::Empty)
                 .starts_with("k.poly: nothing")
         );
+    }
+
+    #[test]
+    fn triangles_are_named_as_the_file_counts() {
+        let [a, b] = [3, 4].map(VertexId::new);
+        for (error, words) in [
+            (
+                Error::BadTriangle {
+                    triangle: 0,
+                    vertex: b,
+                    points: 4,
+                },
+                "triangle 1 names point 5",
+            ),
+            (
+                Error::BadStart {
+                    triangle: 6,
+                    why: "it is there twice",
+                },
+                "triangle 7 cannot",
+            ),
+            (
+                Error::SameSide {
+                    triangles: [0, 2],
+                    edge: [a, b],
+                },
+                "triangles 1 and 3 lie on the same side of the edge from point 4 to point 5",
+            ),
+        ] {
+            let said = numbering(1).failure(error);
+            let is_right = matches!(&said, Failure::BadInput(text) if text.contains(words));
+            assert!(is_right, "{said}");
+        }
+        let not_taken = Error::NotTaken {
+            algorithm: "sweep",
+            what: "segments",
+        };
+        let said = numbering(0).failure(not_taken);
+        assert!(matches!(said, Failure::Usage(_)), "{said}");
     }
 
     #[test]

@@ -2,8 +2,9 @@
 
 use crate::exit::Failure;
 use crate::timing::timed;
-use crate::words::duration;
+use crate::words::{duration, wrote};
 use serde::{Serialize, Serializer};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// How long each phase took, in the order in which they ran.
@@ -22,8 +23,17 @@ impl Phases {
         Ok(result)
     }
 
+    /// Tells people, after some lines of the command's own, how long it took, and which files there are.
+    pub fn summarise(&self, lines: &[String], written: &[PathBuf]) {
+        lines.iter().for_each(|line| eprintln!("{line}"));
+        eprintln!("{}", self.in_words());
+        if let Some(files) = wrote(written) {
+            eprintln!("{files}");
+        }
+    }
+
     /// Says it to people: `read 2.1 ms, triangulate 41 ms`.
-    pub fn in_words(&self) -> String {
+    fn in_words(&self) -> String {
         let phases = self.0.iter();
         let words = phases.map(|(name, took)| format!("{name} {}", duration(*took)));
         words.collect::<Vec<_>>().join(", ")

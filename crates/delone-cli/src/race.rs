@@ -9,7 +9,7 @@ use crate::files::{self, Content, Outputs, Reading, Writing};
 use crate::numbers::positive;
 use crate::phases::Phases;
 use crate::progress::Progress;
-use crate::words::list;
+use crate::words::counted;
 use delone::classic::{Algorithm, Takes};
 use delone::{Error, Point};
 use delone_samples::Distribution;
@@ -34,6 +34,9 @@ The JSON object of --json:
   skipped          for each algorithm what it was too slow for: algorithm, points
   peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
 
+/// Most points: how counts grow shows long before.
+const MOST: i64 = 10_000_000;
+
 /// Let classical algorithms run beside each other, and count: predicates, flips, walk steps, time
 ///
 /// Each runs on more and more points: of a kind that `delone sample` knows, or the first of a file, shuffled.
@@ -53,7 +56,7 @@ pub struct Race {
     distribution: Distribution,
     /// Numbers of points
     #[arg(short = 'n', long, value_name = "N,N,…", value_delimiter = ',',
-          default_value = "100,1000,10000", value_parser = clap::value_parser!(u32).range(1..))]
+          default_value = "100,1000,10000", value_parser = clap::value_parser!(u32).range(1..=MOST))]
     sizes: Vec<u32>,
     /// Seed of points and orders
     #[arg(long, value_name = "SEED", default_value_t = 1)]
@@ -89,11 +92,27 @@ struct Skipped {
     points: usize,
 }
 
+impl Skipped {
+    fn in_words(&self) -> String {
+        let Self { algorithm, points } = self;
+        let points = counted(*points, "point", "points");
+        format!("{algorithm}: too slow for {points}; --seconds gives it more time")
+    }
+}
+
 impl Race {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         let pictures = self.picture.iter().map(|p| (p.clone(), Content::Picture));
         let outputs = self.writing.outputs(pictures)?;
+        if outputs.use_stdout() {
+            let clash = "the results and the picture `-` both want standard output; name a file";
+            return Err(Failure::Usage(clash.to_owned()));
+        }
+        if self.input.is_none() && self.reading.is_given() {
+            let lacking = "--from and --columns are about --input, and none is named";
+            return Err(Failure::Usage(lacking.to_owned()));
+        }
         let algorithms = self.entrants()?;
         let progress = Progress::new(quiet);
         let mut phases = Phases::default();
@@ -118,21 +137,12 @@ impl Race {
         require_agreement(&results.laps)?;
         results.peak_rss_bytes = crate::memory::peak_rss_bytes();
         if self.json {
-            let json = serde_json::to_string(&results);
-            return files::print(&json.expect("bug: numbers and strings always serialise"));
+            return files::print_json(&results);
         }
         files::print(&table::table(&results.laps))?;
         if !quiet {
-            for Skipped { algorithm, points } in &results.skipped {
-                eprintln!(
-                    "{algorithm}: too slow for {points} points; --seconds gives it more time"
-                );
-            }
-            eprintln!("{}", phases.in_words());
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            if !names.is_empty() {
-                eprintln!("wrote {}", list(&names));
-            }
+            let skipped: Vec<String> = results.skipped.iter().map(Skipped::in_words).collect();
+            phases.summarise(&skipped, &written);
         }
         Ok(())
     }
@@ -191,11 +201,13 @@ impl Race {
             }
         };
         delone_samples::Random::new(self.seed).shuffle(&mut points);
-        if points.len() < most && self.input.is_some() {
-            let has = points.len();
-            progress.note(&[format!(
-                "{name} has {has} points, so larger sizes are left out"
-            )]);
+        if points.len() < most {
+            let has = counted(points.len(), "point", "points");
+            if sizes.iter().all(|&n| n > points.len()) {
+                let few = format!("{name} has {has}, fewer than all sizes: --sizes takes others");
+                return Err(Failure::Usage(few));
+            }
+            progress.note(&[format!("{name} has {has}, so larger sizes are left out")]);
         }
         Ok((name, points))
     }

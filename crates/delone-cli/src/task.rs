@@ -7,7 +7,6 @@ use crate::memory::peak_rss_bytes;
 use crate::numbering::Numbering;
 use crate::phases::Phases;
 use crate::progress::Progress;
-use crate::words::list;
 use delone_io::{DomainData, PointSet};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -143,16 +142,10 @@ impl Task {
                 seconds: phases,
                 peak_rss_bytes: peak_rss_bytes(),
             };
-            let json = serde_json::to_string(&report);
-            return files::print(&json.expect("bug: numbers and strings always serialise"));
+            return files::print_json(&report);
         }
         if !quiet {
-            lines.iter().for_each(|line| eprintln!("{line}"));
-            eprintln!("{}", phases.in_words());
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            if !names.is_empty() {
-                eprintln!("wrote {}", list(&names));
-            }
+            phases.summarise(lines, written);
         }
         Ok(())
     }

@@ -3,6 +3,7 @@
 pub use delone_io::words::{count, counted, duration, list, measure};
 
 use delone::Pslg;
+use std::path::PathBuf;
 
 /// Writes what a domain consists of: `9 points, 9 segments and 1 hole`.
 pub fn domain(pslg: &Pslg) -> String {
@@ -18,6 +19,12 @@ pub fn domain(pslg: &Pslg) -> String {
         }
     }
     list(&parts)
+}
+
+/// Says which files have been written, if any have been.
+pub fn wrote(files: &[PathBuf]) -> Option<String> {
+    let names: Vec<String> = files.iter().map(|p| p.display().to_string()).collect();
+    (!names.is_empty()).then(|| format!("wrote {}", list(&names)))
 }
 
 /// Returns the command that runs, as a shell would take it.

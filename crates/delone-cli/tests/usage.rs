@@ -204,7 +204,16 @@ fn help_and_version_are_0() {
         version.stdout.trim(),
         concat!("delone ", env!("CARGO_PKG_VERSION"))
     );
-    for command in ["mesh", "triangulate", "info", "check", "sample", "convert"] {
+    for command in [
+        "mesh",
+        "triangulate",
+        "info",
+        "check",
+        "sample",
+        "convert",
+        "algorithms",
+        "race",
+    ] {
         assert!(folder.run("--help", 0).stdout.contains(command));
         let help = folder.run(&format!("{command} --help"), 0).stdout;
         for words in [
@@ -359,6 +368,10 @@ fn lines_of_help_fit_a_terminal() {
         "check -h",
         "sample -h",
         "convert -h",
+        "algorithms -h",
+        "algorithms show -h",
+        "algorithms run -h",
+        "race -h",
         "sample",
     ] {
         for text in folder.run(line, 0).stdout.lines() {

@@ -269,6 +269,16 @@ pub enum Error {
         /// What it was given.
         what: &'static str,
     },
+    /// A classical algorithm would add more vertices than it is meant for.
+    #[error(
+        "the algorithm `{algorithm}` would make more than {limit} vertices; ask for longer edges or smaller angles"
+    )]
+    TooManyVertices {
+        /// Its name.
+        algorithm: &'static str,
+        /// Most vertices.
+        limit: usize,
+    },
     /// Something was asked of the thesis' strategy that it does not know.
     #[error("the strategy of the thesis has no {what}; use the default strategy, or do without")]
     NotInThesis {

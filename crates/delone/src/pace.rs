@@ -45,8 +45,9 @@ impl<'a> Pace<'a> {
         }
     }
 
+    /// Asks at once, and tells how far it has come.
     #[cold]
-    fn poll(&self) -> Result<(), Error> {
+    pub(crate) fn poll(&self) -> Result<(), Error> {
         if self.watch.is_cancelled() {
             return Err(Error::Cancelled);
         }

@@ -1,8 +1,11 @@
-//! What a run has come to: counts, hash, and whether the result is the canonical one.
+//! What a run has come to: counts, hash, whether the result is the canonical one, and what went wrong.
+
+mod failed;
 
 use crate::words::{count, counted};
 use delone::classic::{About, Output};
 use delone::{ConstrainedDelaunay, Error, Pslg, Tally, VertexId, Watch};
+use failed::Failed;
 use serde::Serialize;
 use std::collections::HashSet;
 
@@ -19,6 +22,9 @@ pub struct Figures {
     hull: Vec<usize>,
     hash: String,
     is_canonical: bool,
+    #[serde(skip)]
+    claims_delaunay: bool,
+    failures: Vec<Failed>,
     statistics: Statistics,
 }
 
@@ -75,6 +81,8 @@ impl Figures {
             hull: output.hull.iter().map(|v| v.index()).collect(),
             hash: output.hash().to_string(),
             is_canonical: is_canonical(output, watch)?,
+            claims_delaunay: about.is_delaunay,
+            failures: output.failures.iter().map(Failed::from).collect(),
             statistics: tally.into(),
         })
     }
@@ -96,21 +104,30 @@ impl Figures {
             counted(self.points, "point", "points"),
             counted(self.triangles, "triangle", "triangles"),
         ];
-        let canonical = match self.is_canonical {
+        let canonical = match (self.is_canonical, self.claims_delaunay) {
             _ if self.triangles == 0 => "",
-            true => ", the canonical Delaunay triangulation",
-            false => ", not Delaunay",
+            (true, true) => ", the canonical Delaunay triangulation",
+            (true, false) => ", all of the canonical Delaunay triangulation",
+            (false, _) => ", not Delaunay",
+        };
+        let hull = match self.hull.len() {
+            0 => String::new(),
+            n => format!(", {n} on the hull"),
         };
         let mut lines = vec![
-            format!("{}: {points}, {triangles}{canonical}", self.algorithm),
+            format!("{}: {points}{hull}, {triangles}{canonical}", self.algorithm),
             format!(
-                "{} orientation tests, {} circle tests ({} ties), {} flips, {} walk steps, {} steps in all",
-                count(*orientation_tests as usize),
-                count(*circle_tests as usize),
-                count(*ties as usize),
-                count(*flips as usize),
-                count(*walk_steps as usize),
-                count(*steps as usize),
+                "{}, {} ({}), {}, {}, {} in all",
+                counted(
+                    *orientation_tests as usize,
+                    "orientation test",
+                    "orientation tests"
+                ),
+                counted(*circle_tests as usize, "circle test", "circle tests"),
+                counted(*ties as usize, "tie", "ties"),
+                counted(*flips as usize, "flip", "flips"),
+                counted(*walk_steps as usize, "walk step", "walk steps"),
+                counted(*steps as usize, "step", "steps"),
             ),
         ];
         if let (Some(first), Some(last)) = (first_conflicts, last_conflicts) {
@@ -119,6 +136,7 @@ impl Figures {
                 "Φ, the pairs of a triangle and a point in its circle: {first}, then {last}"
             ));
         }
+        lines.extend(failed::line(&self.failures));
         lines.push(format!("hash {}", self.hash));
         lines
     }

@@ -8,12 +8,15 @@ use crate::numbers::{angle, positive};
 use crate::progress::Progress;
 use crate::sample::Scene;
 use crate::words::counted;
-use delone::classic::{Algorithm, Input, Takes};
+use delone::classic::{About, Algorithm, Input, Takes};
 use delone::predicates::{Orientation, orient2d};
 use delone::{Angle, DomainRule, Point, Quality, VertexId};
 use delone_io::{DomainData, PointSet};
 use delone_samples::Distribution;
 use std::path::PathBuf;
+
+/// What is to be done about segments that cross: no classical algorithm cuts them.
+const CUT: &str = "take the cut.poly of `delone triangulate INPUT --crossings split -o cut.poly`";
 
 /// Points that are taken if no file is named.
 const FEW: usize = 30;
@@ -53,6 +56,7 @@ impl Given {
         progress: &'w Progress,
     ) -> Result<(Input<'w>, Numbering), Failure> {
         let takes = algorithm.about().takes;
+        self.require_use(algorithm)?;
         let (mut input, usual_rule, numbering) = match &self.input {
             Some(path) => {
                 let file = self.reading.open(path)?;
@@ -83,8 +87,30 @@ impl Given {
         }
         input.seed = self.seed;
         input.domain = self.domain.map_or(usual_rule, Into::into);
-        input.quality = self.quality(algorithm)?;
-        Ok((input, numbering))
+        if self.domain.is_some() && !input.start.is_empty() {
+            progress.note(&[
+                "--domain is not used: the triangles of the mesh are the domain".to_owned(),
+            ]);
+        }
+        input.quality = self.quality(algorithm);
+        input.watch = progress;
+        Ok((input, numbering.about_crossings(CUT)))
+    }
+
+    /// Refuses options that would have no effect.
+    fn require_use(&self, algorithm: Algorithm) -> Result<(), Failure> {
+        let About { name, takes, .. } = algorithm.about();
+        let is_bounded = self.max_edge.is_some() || self.min_angle.is_some();
+        let idle = if is_bounded && algorithm != Algorithm::Thesis {
+            format!("--max-edge and --min-angle are for `thesis`; `{name}` knows no bounds")
+        } else if self.domain.is_some() && *takes == Takes::Points {
+            format!("--domain is about segments; `{name}` works on points alone")
+        } else if self.input.is_none() && self.reading.is_given() {
+            "--from and --columns are about INPUT, and none is named".to_owned()
+        } else {
+            return Ok(());
+        };
+        Err(Failure::Usage(idle))
     }
 
     fn of_file<'w>(
@@ -106,21 +132,15 @@ impl Given {
         Ok(of_domain(&file.name(), domain))
     }
 
-    fn quality(&self, algorithm: Algorithm) -> Result<Quality, Failure> {
+    fn quality(&self, algorithm: Algorithm) -> Quality {
         let is_bounded = self.max_edge.is_some() || self.min_angle.is_some();
-        if is_bounded && algorithm != Algorithm::Thesis {
-            let name = algorithm.about().name;
-            let idle =
-                format!("--max-edge and --min-angle are for `thesis`; `{name}` knows no bounds");
-            return Err(Failure::Usage(idle));
-        }
         // Without any, what the thesis' own example asks for.
         let given = |bound: Option<f64>, usual| if is_bounded { bound } else { Some(usual) };
-        Ok(Quality {
+        Quality {
             max_edge: given(self.max_edge, 3.0).filter(|_| algorithm == Algorithm::Thesis),
             min_angle: given(self.min_angle, 20.0).map(Angle::degrees),
             ..Quality::default()
-        })
+        }
     }
 }
 

@@ -3,13 +3,12 @@
 use super::figures::Figures;
 use super::given::Given;
 use super::named;
-use super::watched::{MANY, Watched};
+use super::watched::Watched;
 use crate::exit::Failure;
 use crate::files::{self, Content, Outputs, Writing};
 use crate::memory::peak_rss_bytes;
 use crate::phases::Phases;
 use crate::progress::Progress;
-use crate::words::{count, list};
 use delone::classic::{Algorithm, Input, Output};
 use delone::{Log, Observer, Step, Tally};
 use delone_io::{Constraints, MeshView, Recording};
@@ -36,11 +35,13 @@ The JSON object of --json:
   hash             names the set of triangles: 32 hexadecimal digits, the same on every machine
   is_canonical     whether every triangle is one of the canonical (constrained) Delaunay triangulation of
                    its vertices
+  failures         of `printed-sweep`: where it goes wrong, objects of kind (sees-nothing, sees-one,
+                   sees-several-runs, segment-lost, overlaps) and vertices, from 0
   statistics       orientation_tests, circle_tests, ties among these, flips, walk_steps, pushed (things
                    that waited), edges_created, edges_deleted (flips not counted), first_conflicts,
                    last_conflicts (Φ: pairs of a triangle and a point in its circle; null where nobody
                    counts), steps (events told)
-  seconds          wall time of the phases read, run (not observed), observe, write
+  seconds          wall time of the phases read, run (not observed), observe, check, write
   peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
 
 /// Points beyond which conflicts are not counted: each count takes linear time.
@@ -85,7 +86,6 @@ impl Run {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         let outputs = self.outputs()?;
-        self.watched.require_names()?;
         let progress = Progress::new(quiet);
         let mut phases = Phases::default();
         let read = || self.given.read(self.algorithm, &outputs, &progress);
@@ -93,12 +93,12 @@ impl Run {
         let refused = |error| numbering.failure(error);
 
         let output = phases.time("run", || self.algorithm.run(&input).map_err(refused))?;
-        let (tally, log) = phases.time("observe", || {
-            self.observe(&input, &progress).map_err(refused)
-        })?;
+        let (tally, log) = phases.time("observe", || self.observe(&input, &progress, refused))?;
         let about = self.algorithm.about();
         let given = input.pslg.points.len();
-        let figures = Figures::of(about, given, &output, &tally, &progress).map_err(refused)?;
+        let figures = phases.time("check", || {
+            Figures::of(about, given, &output, &tally, &progress).map_err(refused)
+        })?;
         let written = phases.time("write", || {
             let mut written = self.write(&outputs, &output, &progress)?;
             if let Some(log) = log {
@@ -115,7 +115,8 @@ impl Run {
     fn outputs(&self) -> Result<Outputs, Failure> {
         let meshes = self.output.iter().map(|o| (o.clone(), Content::Mesh));
         let pictures = self.picture.iter().map(|p| (p.clone(), Content::Picture));
-        let outputs = self.writing.outputs(meshes.chain(pictures))?;
+        let mut outputs = self.writing.outputs(meshes.chain(pictures))?;
+        self.watched.settle(self.writing.size(), &mut outputs)?;
         if outputs.use_stdout() && self.json {
             let clash = "--json and the output `-` both want standard output; name a file for one";
             return Err(Failure::Usage(clash.to_owned()));
@@ -128,23 +129,19 @@ impl Run {
         &self,
         input: &Input,
         progress: &Progress,
-    ) -> Result<(Tally, Option<Log>), delone::Error> {
+        refused: impl Fn(delone::Error) -> Failure,
+    ) -> Result<(Tally, Option<Log>), Failure> {
         let mut tally = Tally::default();
         let is_small = input.pslg.points.len() <= MOST_CONFLICTS;
         self.algorithm
-            .observe(input, &mut (&mut tally, Conflicts(is_small)))?;
+            .observe(input, &mut (&mut tally, Conflicts(is_small)))
+            .map_err(&refused)?;
         if !self.watched.is_wanted() {
             return Ok((tally, None));
         }
-        if tally.steps > MANY {
-            let steps = count(tally.steps as usize);
-            progress.note(&[format!(
-                "{steps} steps: that is a large log, of {} bytes a step in memory",
-                size_of::<Step>()
-            )]);
-        }
+        self.watched.require_room(tally.steps, progress)?;
         let mut log = Log::new(self.algorithm.about().name, input.pslg.points.clone());
-        self.algorithm.observe(input, &mut log)?;
+        self.algorithm.observe(input, &mut log).map_err(refused)?;
         Ok((tally, Some(log)))
     }
 
@@ -182,16 +179,10 @@ impl Run {
                 seconds: phases,
                 peak_rss_bytes: peak_rss_bytes(),
             };
-            let json = serde_json::to_string(&report);
-            return files::print(&json.expect("bug: numbers and strings always serialise"));
+            return files::print_json(&report);
         }
         if !quiet {
-            figures.lines().iter().for_each(|line| eprintln!("{line}"));
-            eprintln!("{}", phases.in_words());
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            if !names.is_empty() {
-                eprintln!("wrote {}", list(&names));
-            }
+            phases.summarise(&figures.lines(), written);
         }
         Ok(())
     }

@@ -13,6 +13,8 @@ enum Part {
     Coordinates,
     Edges,
     Page,
+    /// Something that no other output is.
+    Own,
 }
 
 /// A file that is going to be written.
@@ -56,6 +58,11 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
         (_, Content::Report) => vec![whole(Part::Page)],
         _ => vec![whole(Part::Whole(format))],
     }
+}
+
+/// The file of an output that consists of one, and is nothing else.
+pub fn alone(output: &Path) -> Member {
+    member(output, output.to_owned(), Part::Own)
 }
 
 fn member(output: &Path, name: PathBuf, part: Part) -> Member {

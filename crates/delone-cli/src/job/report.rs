@@ -2,7 +2,7 @@
 
 use super::build::{Built, Laps};
 use crate::memory::peak_rss_bytes;
-use crate::words::{count, counted, duration, list};
+use crate::words::{count, counted, duration, wrote};
 use delone::{ConstrainedTriangulation, Triangulation};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -178,9 +178,8 @@ impl<T: Serialize> Report<T> {
         }
         eprintln!("hash {}", self.figures.hash);
         eprintln!("{}", self.times);
-        if !written.is_empty() {
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            eprintln!("wrote {}", list(&names));
+        if let Some(files) = wrote(written) {
+            eprintln!("{files}");
         }
         if let Some(next) = next {
             eprintln!("\n{next}");

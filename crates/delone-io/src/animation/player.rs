@@ -13,7 +13,7 @@ use super::words::words;
 use crate::picture::smallest_angle;
 use crate::{Error, Recording, cancel};
 use delone::{
-    Event, Item, Log, Observer, Point, Queue, Scene, Step, Sweep, Tally, VertexId, Watch,
+    Event, Item, Log, Observer, Phase, Point, Queue, Scene, Step, Sweep, Tally, VertexId, Watch,
 };
 use std::collections::BTreeMap;
 
@@ -125,6 +125,8 @@ impl<'a> Player<'a> {
         if is_result {
             self.end_turn();
         }
+        let steps = self.log.steps.len() as u64;
+        self.watch.progress(Phase::Draw, end as u64, steps);
         self.passing = self.current();
         for mark in &self.passing {
             self.marks.add(mark.clone());

@@ -11,7 +11,7 @@
 
 use super::Board;
 use crate::predicates::in_circle_perturbed;
-use crate::{Event, HalfEdgeId, Observer, TriangleId, VertexId};
+use crate::{Error, Event, HalfEdgeId, Observer, TriangleId, VertexId};
 
 /// Φ, kept up to date.
 pub(super) struct Conflicts {
@@ -22,19 +22,25 @@ pub(super) struct Conflicts {
 
 impl Conflicts {
     /// Counts the conflicts of a triangulation and tells their number, if someone wants it.
-    pub fn count<O: Observer>(board: &mut Board<O>) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn count<O: Observer>(board: &mut Board<O>) -> Result<Self, Error> {
         let mut conflicts = Self {
             vertices: Vec::new(),
             count: None,
         };
         if board.wants_conflicts() && is_whole(board) {
             conflicts.vertices = vertices(board);
-            let triangles = board.mesh().triangles();
-            let count = triangles.map(|t| conflicts.of(board, t)).sum();
+            let mut count = 0;
+            for t in board.mesh().triangles().collect::<Vec<_>>() {
+                board.spend(conflicts.vertices.len())?;
+                count += conflicts.of(board, t);
+            }
             conflicts.count = Some(count);
             board.tell(|| Event::ConflictsCounted { conflicts: count });
         }
-        conflicts
+        Ok(conflicts)
     }
 
     /// Flips the edge of `h`, and tells how many conflicts are left.

@@ -41,7 +41,7 @@ const LINES: Restoring = Restoring {
 /// Flips until the list is empty.
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
     let mut board = Board::begin(input, observer)?;
-    let mut conflicts = Conflicts::count(&mut board);
+    let mut conflicts = Conflicts::count(&mut board)?;
     board.restore_all(LINES, |board, h| {
         conflicts.flip(board, h);
         board.at(5);

@@ -41,7 +41,7 @@ pub(super) const ABOUT: About = About {
 /// Flips until all edges are locally Delaunay.
 pub(super) fn run(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
     let mut board = Board::begin(input, observer)?;
-    let mut conflicts = Conflicts::count(&mut board);
+    let mut conflicts = Conflicts::count(&mut board)?;
     board.at(1);
     let Some(e) = outer_edge(&board) else {
         return Ok(board.finish());

@@ -30,7 +30,7 @@ type Uses = BTreeMap<[VertexId; 2], usize>;
 /// be closed.
 ///
 /// # Errors
-/// [`Error::SeedOnSegment`].
+/// [`Error::SeedOnSegment`], [`Error::Cancelled`].
 pub(super) fn carve<O: Observer>(
     board: &mut Board<O>,
     input: &Input,
@@ -43,7 +43,7 @@ pub(super) fn carve<O: Observer>(
         return Ok(());
     }
     board.at(lines.test);
-    tell_tests(board, chains, &outside);
+    tell_tests(board, chains, &outside)?;
     board.at(lines.delete);
     board.carve(outside);
     Ok(())
@@ -182,12 +182,17 @@ fn flood<O: Observer>(board: &Board<O>, start: TriangleId, outside: &mut [bool])
 
 /// Tells of each triangle how many edges of segments the ray from its centroid to the right crosses, and
 /// what came of it.
-fn tell_tests<O: Observer>(board: &mut Board<O>, chains: &[Vec<VertexId>], outside: &[bool]) {
+fn tell_tests<O: Observer>(
+    board: &mut Board<O>,
+    chains: &[Vec<VertexId>],
+    outside: &[bool],
+) -> Result<(), Error> {
     if !board.is_watched() {
-        return;
+        return Ok(());
     }
     let uses: Vec<_> = uses(chains).into_iter().collect();
     for t in board.mesh().triangles().collect::<Vec<_>>() {
+        board.spend(uses.len())?;
         let triangle = board.mesh().corners(t);
         let center = centroid(triangle.map(|v| board.point(v)));
         let crossed = uses
@@ -201,6 +206,7 @@ fn tell_tests<O: Observer>(board: &mut Board<O>, chains: &[Vec<VertexId>], outsi
             is_inside,
         });
     }
+    Ok(())
 }
 
 /// Returns the centroid of a triangle, rounded.

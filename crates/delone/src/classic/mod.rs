@@ -161,7 +161,8 @@ impl Algorithm {
     /// [`Error::NotFinite`], [`Error::TooManyPoints`]: what every builder refuses; [`Error::NotTaken`] if the
     /// input has what this algorithm does not [take](About::takes); of a domain what
     /// [`ConstrainedDelaunay`](crate::ConstrainedDelaunay::triangulate) refuses, crossings included;
-    /// [`Error::BadTriangle`], [`Error::BadStart`] name a triangle that is wrong; [`Error::Cancelled`].
+    /// [`Error::BadTriangle`], [`Error::BadStart`] name a triangle that is wrong; [`Error::TooManyVertices`] if
+    /// refinement does not end soon; [`Error::Cancelled`].
     pub fn observe(
         self,
         input: &Input,

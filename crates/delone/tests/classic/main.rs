@@ -12,6 +12,7 @@ mod polygons;
 mod printed_sweep;
 mod scene;
 mod small;
+mod stopping;
 mod suite;
 mod sweep;
 mod sweeps;

@@ -34,7 +34,12 @@ pub(super) struct Board<'r, O> {
     line: u16,
     observer: &'r mut O,
     pace: Pace<'r>,
+    /// What has been done since the watch was last asked, in predicates.
+    work: usize,
 }
+
+/// Predicates between two questions to the watch: a few milliseconds, even if none takes its fast way.
+const STRIDE: usize = 1 << 12;
 
 impl<'r, O: Observer> Board<'r, O> {
     /// Begins with the points of an input, no mesh, and the distinct points in their order.
@@ -50,6 +55,7 @@ impl<'r, O: Observer> Board<'r, O> {
             duplicates: sites.duplicates,
             line: 0,
             observer,
+            work: 0,
         };
         Ok((board, sites.order))
     }
@@ -66,6 +72,7 @@ impl<'r, O: Observer> Board<'r, O> {
             duplicates: from.duplicates,
             line: 0,
             observer,
+            work: 0,
         };
         board.tell_all();
         board
@@ -112,13 +119,29 @@ impl<'r, O: Observer> Board<'r, O> {
         self.observer.is_watching()
     }
 
-    /// Counts one step of the main loop.
+    /// Counts one step of the main loop. Predicates since the last one count, too: a step may be a search
+    /// through everything.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
     #[inline]
     pub fn step(&mut self) -> Result<(), Error> {
-        self.pace.step()
+        self.pace.step()?;
+        self.spend(0)
+    }
+
+    /// Counts work that takes as long as so many predicates.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    #[inline]
+    pub fn spend(&mut self, work: usize) -> Result<(), Error> {
+        self.work = self.work.saturating_add(work);
+        if self.work < STRIDE {
+            return Ok(());
+        }
+        self.work = 0;
+        self.pace.poll()
     }
 
     /// Returns who is told.
@@ -198,6 +221,7 @@ impl<'r, O: Observer> Board<'r, O> {
     /// Tells on which side of the line from `a` to `b` vertex `c` lies.
     #[inline]
     pub fn orient(&mut self, a: VertexId, b: VertexId, c: VertexId) -> Orientation {
+        self.work += 1;
         let answer = predicates::orient2d(self.point(a), self.point(b), self.point(c));
         self.tell(|| Event::OrientationTested {
             line: [a, b],
@@ -213,6 +237,7 @@ impl<'r, O: Observer> Board<'r, O> {
     pub fn in_circle(&mut self, triangle: [VertexId; 3], d: VertexId) -> bool {
         let [a, b, c] = triangle.map(|v| self.point(v));
         let p = self.point(d);
+        self.work += 1;
         let is_inside = in_circle_perturbed(a, b, c, p);
         self.tell(|| Event::CircleTested {
             triangle,

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::classic::inside::{centroid, crosses};
 use crate::classic::sides;
 use crate::predicates::Orientation;
-use crate::{Event, Observer, Stage, VertexId};
+use crate::{Error, Event, Observer, Stage, VertexId};
 use std::collections::BTreeSet;
 
 impl<O: Observer> Replay<'_, O> {
@@ -62,9 +62,17 @@ impl<O: Observer> Replay<'_, O> {
     }
 
     /// Deletes the triangles outside of the rings, and the edges that are sides of none any more.
-    pub(super) fn remove_outside(&mut self) {
-        let all = std::mem::take(&mut self.triangles);
-        let (kept, gone) = all.into_iter().partition(|&t| self.is_inside(t));
+    pub(super) fn remove_outside(&mut self) -> Result<(), Error> {
+        let (mut kept, mut gone) = (Vec::new(), Vec::new());
+        for t in std::mem::take(&mut self.triangles) {
+            self.board.spend(self.segments.len())?;
+            let of_its_kind = if self.is_inside(t) {
+                &mut kept
+            } else {
+                &mut gone
+            };
+            of_its_kind.push(t);
+        }
         self.board.at(14);
         self.triangles = kept;
         self.tell_deleted(gone);
@@ -73,6 +81,7 @@ impl<O: Observer> Replay<'_, O> {
         self.hide(|edge| !edges_left.contains(edge) && !segments.contains(edge));
         self.segments = segments;
         self.board.end(Stage::InsideTest);
+        Ok(())
     }
 
     /// Counts the segments that the ray from the centroid of a triangle to the right crosses: odd is inside.

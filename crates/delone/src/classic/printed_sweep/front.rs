@@ -24,7 +24,7 @@ impl<O: Observer> Replay<'_, O> {
         self.begin();
         for next in self.front.len()..self.order.len() {
             self.board.step()?;
-            self.take(next);
+            self.take(next)?;
         }
         self.end();
         self.board.end(Stage::Sweep);
@@ -47,14 +47,15 @@ impl<O: Observer> Replay<'_, O> {
     }
 
     /// Lets the sweep come to the point that is next in order.
-    fn take(&mut self, next: usize) {
+    fn take(&mut self, next: usize) -> Result<(), Error> {
         let p = self.order[next];
         self.board.at(5);
         self.sweep_to(p);
         self.board.tell(|| Event::PointConsidered { vertex: p });
         self.board.at(6);
-        let Some(run) = self.visible_run(next) else {
-            return self.fail(Failure::SeesNothing(p));
+        let Some(run) = self.visible_run(next)? else {
+            self.fail(Failure::SeesNothing(p));
+            return Ok(());
         };
         let (start, end) = run.into_inner();
         if start == end {
@@ -70,13 +71,18 @@ impl<O: Observer> Replay<'_, O> {
         }
         self.board.at(9);
         self.replace(start..=end, p);
+        Ok(())
     }
 
     /// Looks at all vertices of the front, and returns the longest run that is visible, of equals the first.
-    fn visible_run(&mut self, next: usize) -> Option<RangeInclusive<usize>> {
+    fn visible_run(&mut self, next: usize) -> Result<Option<RangeInclusive<usize>>, Error> {
         let p = self.order[next];
         let front = self.front.clone();
-        let is_visible: Vec<_> = front.iter().map(|&v| self.sees(next, v)).collect();
+        let mut is_visible = Vec::with_capacity(front.len());
+        for &v in &front {
+            self.board.spend(next + self.edges.len())?;
+            is_visible.push(self.sees(next, v));
+        }
         let mut runs = Vec::new();
         let mut start = 0;
         for same in is_visible.chunk_by(|a, b| a == b) {
@@ -89,7 +95,7 @@ impl<O: Observer> Replay<'_, O> {
             self.fail(Failure::SeesSeveralRuns(p));
         }
         let length = |run: &RangeInclusive<usize>| run.end() - run.start();
-        runs.into_iter().rev().max_by_key(length)
+        Ok(runs.into_iter().rev().max_by_key(length))
     }
 
     /// Tells whether the point that is next in order sees a vertex of the front: there is an edge between

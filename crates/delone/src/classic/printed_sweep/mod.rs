@@ -79,7 +79,7 @@ fn replay(
     replay.turn();
     replay.look_for_segments();
     if input.domain != DomainRule::Hull {
-        replay.remove_outside();
+        replay.remove_outside()?;
     }
     Ok(replay.finish())
 }
