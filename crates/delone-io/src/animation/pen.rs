@@ -115,8 +115,10 @@ impl Pen {
             Sweep::Vertical(x) => self.cut(Look::Sweep, Cut::Vertical(x)),
             Sweep::Horizontal(y) => self.cut(Look::Sweep, Cut::Horizontal(y)),
             Sweep::Circle { center, radius } => {
-                let through = Point::new(center.x + radius, center.y);
-                self.circle_around(Look::Sweep, center, through)
+                let center = self.view.place(center).map(f64::from);
+                let radius = self.view.length(radius);
+                let on = [center[0] + radius, center[1]];
+                self.round(Look::Sweep, on, center, radius)
             }
         }
     }
@@ -126,13 +128,6 @@ impl Pen {
         let places = corners.map(|p| self.view.place(p).map(f64::from));
         let (center, radius) = circumcircle(places)?;
         Some(self.round(look, places[0], center, radius))
-    }
-
-    /// The circle around one point through another.
-    pub fn circle_around(&self, look: Look, center: Point, through: Point) -> Mark {
-        let [center, through] = [center, through].map(|p| self.view.place(p).map(f64::from));
-        let radius = (through[0] - center[0]).hypot(through[1] - center[1]);
-        self.round(look, through, center, radius)
     }
 
     /// The circle of which a line is the diameter.

@@ -109,6 +109,11 @@ impl View {
         [along(p.x - self.center.x, 0), along(self.center.y - p.y, 1)]
     }
 
+    /// Returns how many pixels a length takes; the page may end before.
+    pub fn length(&self, length: f64) -> f64 {
+        length * self.power * self.pixels_per_unit
+    }
+
     /// Returns the area of the drawing in square pixels.
     pub fn area(&self) -> f32 {
         self.drawing[1][0] * self.drawing[1][1]
