@@ -190,6 +190,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "voronoi",
         &[
             "point",
+            "memory",
             "mesh",
             "predicates",
             "triangulation",

@@ -1,11 +1,15 @@
 //! Putting a diagram together: its edges from those of the mesh, then the sides of each cell from the star
 //! of its site. Both are done in ranges, on several threads, and joined in order; so numbers are those that
 //! one thread gives.
+//!
+//! Sites come in the order in which the mesh names them, not in that of their numbers: the mesh runs along a
+//! curve, so the star of a site lies near that of the one before, and what is made of it does, too.
 
 use super::diagram::{AT_INFINITY, DualEdge, side};
+use crate::memory::reserve;
 use crate::pace::{Pace, Strides};
 use crate::parallel::{Workers, joined};
-use crate::{Error, HalfEdgeId, Mesh, TriangleId};
+use crate::{Error, HalfEdgeId, Mesh, TriangleId, VertexId};
 use std::ops::Range;
 
 /// Marks half-edges of the mesh without an edge of the diagram.
@@ -46,8 +50,8 @@ impl Edges {
         mut strides: Strides,
     ) -> Result<Self, Error> {
         let mut list = Self {
-            edges: Vec::with_capacity(3 * faces.len() / 2),
-            of_half_edge: Vec::with_capacity(3 * faces.len()),
+            edges: reserve(3 * faces.len() / 2),
+            of_half_edge: reserve(3 * faces.len()),
         };
         for t in faces.map(TriangleId::new) {
             strides.step()?;
@@ -63,25 +67,33 @@ impl Edges {
         Ok(list)
     }
 
-    /// Lists the sides of some cells, given for each a half-edge that begins at its site.
+    /// Lists the sides of the cells of some sites.
     pub fn around(
         &self,
         mesh: &Mesh,
-        outgoing: &[Option<HalfEdgeId>],
+        visits: &Visits,
+        ranks: Range<usize>,
         mut strides: Strides,
     ) -> Result<Sides, Error> {
         let mut list = Sides {
-            starts: Vec::with_capacity(outgoing.len() + 1),
-            sides: Vec::with_capacity(6 * outgoing.len()),
+            ends: Vec::with_capacity(ranks.len()),
+            sides: reserve(6 * ranks.len()),
         };
-        for start in outgoing {
+        for rank in ranks {
             strides.step()?;
             let from = list.sides.len();
-            list.starts.push(from as u32);
-            let star = start.iter().flat_map(|&h| mesh.star(h));
-            let sides = star.filter_map(|h| self.side(mesh, h));
-            list.sides.extend(sides);
-            self.begin_at_infinity(&mut list.sides[from..]);
+            let star = visits.first(rank).into_iter().flat_map(|h| mesh.star(h));
+            let mut is_whole = true;
+            list.sides.extend(star.filter_map(|h| {
+                let side = self.side(mesh, h);
+                is_whole &= side.is_some();
+                side
+            }));
+            // Beside infinity there is a half-edge without an edge.
+            if !is_whole {
+                self.begin_at_infinity(&mut list.sides[from..]);
+            }
+            list.ends.push(list.sides.len() as u32);
         }
         Ok(list)
     }
@@ -119,37 +131,63 @@ fn edge_of(mesh: &Mesh, dual: &[u32], h: HalfEdgeId) -> Option<DualEdge> {
     (ends[0] != ends[1] || ends[0] == AT_INFINITY).then_some(DualEdge { sites, ends })
 }
 
-/// The sides of several cells, and where those of each begin.
+/// The sides of several cells, and where those of each end.
 pub(super) struct Sides {
-    starts: Vec<u32>,
+    ends: Vec<u32>,
     sides: Vec<u32>,
 }
 
 impl Sides {
-    /// Puts lists together, and adds where the last one ends.
-    pub fn joined(lists: Vec<Self>) -> (Vec<u32>, Vec<u32>) {
-        let (mut all_starts, mut all_sides) = (Vec::new(), Vec::new());
+    /// Puts lists together, and finds for each site where its sides begin and end.
+    pub fn joined(lists: Vec<Self>, order: &[VertexId]) -> (Vec<[u32; 2]>, Vec<u32>) {
+        let mut ranges = vec![[0; 2]; order.len()];
+        let mut all = Vec::new();
+        let mut sites = order.iter();
         let mut before = 0;
-        for mut list in lists {
-            list.starts.iter_mut().for_each(|start| *start += before);
+        for list in lists {
+            let mut start = before;
+            for (end, site) in list.ends.into_iter().zip(&mut sites) {
+                ranges[site.index()] = [start, before + end];
+                start = before + end;
+            }
             before += list.sides.len() as u32;
-            all_starts.push(list.starts);
-            all_sides.push(list.sides);
+            all.push(list.sides);
         }
-        let mut starts = joined(all_starts);
-        starts.push(before);
-        (starts, joined(all_sides))
+        (ranges, joined(all))
     }
 }
 
-/// Finds for each vertex a half-edge that begins there.
-pub(super) fn outgoing(mesh: &Mesh, num_sites: usize) -> Vec<Option<HalfEdgeId>> {
-    let mut table = vec![None; num_sites];
-    for h in mesh.half_edges() {
-        let origin = mesh.origin(h);
-        if !origin.is_infinite() {
-            table[origin.index()] = Some(h);
+/// The sites in the order in which their cells are made.
+pub(super) struct Visits {
+    /// First those in the mesh, then the others.
+    pub order: Vec<VertexId>,
+    /// For each site in the mesh a half-edge that begins there, in that order.
+    first: Vec<HalfEdgeId>,
+}
+
+impl Visits {
+    /// Takes sites as the mesh names them, from its end to its beginning.
+    pub fn of(mesh: &Mesh, num_sites: usize) -> Self {
+        let mut visits = Self {
+            order: Vec::with_capacity(num_sites),
+            first: Vec::with_capacity(num_sites),
+        };
+        let mut is_seen = vec![false; num_sites];
+        for h in (0..3 * mesh.num_faces()).rev().map(HalfEdgeId::new) {
+            let origin = mesh.origin(h);
+            if !origin.is_infinite() && !is_seen[origin.index()] {
+                is_seen[origin.index()] = true;
+                visits.order.push(origin);
+                visits.first.push(h);
+            }
         }
+        let others = (0..num_sites).filter(|&site| !is_seen[site]);
+        visits.order.extend(others.map(VertexId::new));
+        visits
     }
-    table
+
+    /// Returns a half-edge that begins at the site of a rank.
+    fn first(&self, rank: usize) -> Option<HalfEdgeId> {
+        self.first.get(rank).copied()
+    }
 }

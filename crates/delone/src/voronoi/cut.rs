@@ -5,9 +5,9 @@
 //! be −1 or 2 in that place; there they are matched backwards or nested, around nothing.
 
 use super::diagram::AT_INFINITY;
-use super::measure::Moments;
+use super::measure::doubled_area;
 use super::overlay::Overlay;
-use super::parts::Shapes;
+use super::parts::{Shapes, without_repeated};
 use crate::predicates::{Orientation, orient2d};
 use crate::{Point, VertexId};
 
@@ -55,6 +55,18 @@ impl<'a> Cutter<'a> {
         }
     }
 
+    /// Adds a cell that no boundary enters or lies in: all of it, or nothing.
+    pub fn take(&self, site: VertexId, shapes: &mut Shapes) {
+        let diagram = self.overlay.diagram;
+        let ends = diagram.sides(site).map(|side| diagram.ends(side)[1]);
+        let is_inside = |&v: &u32| v != AT_INFINITY && self.overlay.levels.at(v) >= 1;
+        // Its level is the same all around.
+        if ends.clone().next().as_ref().is_some_and(is_inside) {
+            shapes.extend(ends.map(|v| diagram.vertices[v as usize]));
+            shapes.end_simple_part();
+        }
+    }
+
     /// Adds the parts of a cell.
     pub fn cut(
         &mut self,
@@ -99,15 +111,14 @@ impl<'a> Cutter<'a> {
                 Event::Crossing(c, sign * rise)
             };
             let crossings = overlay.crossings(side.edge);
-            let level = overlay.levels[side.edge as usize];
+            let [from, to] = overlay.diagram.ends(side);
+            first = first.or(Some(overlay.levels.at(from)));
             if side.is_reversed {
-                first = first.or(Some(level + overlay.rise(side.edge)));
                 self.events.extend(crossings.iter().rev().map(event));
             } else {
-                first = first.or(Some(level));
                 self.events.extend(crossings.iter().map(event));
             }
-            self.events.push(match overlay.diagram.ends(side)[1] {
+            self.events.push(match to {
                 AT_INFINITY => Event::Infinity,
                 corner => Event::Corner(corner),
             });
@@ -239,14 +250,9 @@ impl<'a> Cutter<'a> {
 
     /// Adds an outline, without repeated points, unless there is no area in it.
     fn add_outline(&mut self, mut points: Vec<Point>, piece: Option<u32>) {
-        points.dedup();
-        while points.len() > 1 && points.first() == points.last() {
-            points.pop();
-        }
-        if points.len() < 3 {
-            return;
-        }
-        if Moments::of(std::iter::once(&points[..])).doubled_area() > 0.0 {
+        let len = without_repeated(&mut points);
+        points.truncate(len);
+        if points.len() >= 3 && doubled_area(&points) > 0.0 {
             self.outlines.push(Outline { points, piece });
         }
     }

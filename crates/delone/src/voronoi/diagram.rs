@@ -10,7 +10,7 @@
 //! circumcenters of a Delaunay triangulation make a Voronoi diagram, power centers of a regular one a
 //! power diagram. What depends on that is a [`Metric`].
 
-use super::assembly::{Edges, Sides, outgoing};
+use super::assembly::{Edges, Sides, Visits};
 use crate::pace::Pace;
 use crate::parallel::Workers;
 use crate::predicates::{
@@ -140,9 +140,11 @@ pub(crate) struct Side {
 pub(crate) struct Diagram {
     pub vertices: Vec<Point>,
     pub edges: Vec<DualEdge>,
-    /// Where the sides of each cell begin in `sides`, and their end.
-    starts: Vec<u32>,
-    /// Twice the edge, one more if it is reversed.
+    /// All sites, so that those near each other in the list are most often near each other in the plane.
+    pub order: Vec<VertexId>,
+    /// Where the sides of each cell begin in `sides`, and where they end.
+    ranges: Vec<[u32; 2]>,
+    /// Twice the edge, one more if it is reversed; cell by cell in the `order`.
     sides: Vec<u32>,
 }
 
@@ -157,19 +159,20 @@ impl Diagram {
         workers: Workers,
         pace: &Pace,
     ) -> Result<Self, Error> {
-        let (edges, outgoing) = workers.join(
+        let (edges, visits) = workers.join(
             || Edges::of(mesh, dual, workers, pace),
-            || outgoing(mesh, num_sites),
+            || Visits::of(mesh, num_sites),
         );
         let edges = edges?;
-        let lists = workers.ranges(num_sites, |sites| {
-            edges.around(mesh, &outgoing[sites], pace.strides())
+        let lists = workers.ranges(num_sites, |ranks| {
+            edges.around(mesh, &visits, ranks, pace.strides())
         })?;
-        let (starts, sides) = Sides::joined(lists);
+        let (ranges, sides) = Sides::joined(lists, &visits.order);
         Ok(Self {
             vertices,
             edges: edges.edges,
-            starts,
+            order: visits.order,
+            ranges,
             sides,
         })
     }
@@ -177,8 +180,10 @@ impl Diagram {
     /// Visits the sides of a cell, counter-clockwise; if one begins at infinity, such a one first.
     #[inline]
     pub fn sides(&self, site: VertexId) -> impl ExactSizeIterator<Item = Side> + Clone + '_ {
-        let range = self.starts[site.index()] as usize..self.starts[site.index() + 1] as usize;
-        self.sides[range].iter().map(|&number| side(number))
+        let [start, end] = self.ranges[site.index()];
+        self.sides[start as usize..end as usize]
+            .iter()
+            .map(|&number| side(number))
     }
 
     /// Returns where a side begins and ends, as seen from its cell.

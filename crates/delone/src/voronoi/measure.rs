@@ -20,6 +20,8 @@ pub struct Measure {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
     size: f64,
+    /// One divided by it, without rounding; multiplying by it is dividing by the size.
+    inverse: f64,
 }
 
 impl Unit {
@@ -31,6 +33,7 @@ impl Unit {
         let exponent = exponent.clamp(-1000, 1000);
         Self {
             size: power_of_two(exponent),
+            inverse: power_of_two(-exponent),
         }
     }
 
@@ -41,7 +44,7 @@ impl Unit {
     /// Returns a position in units.
     #[inline]
     pub fn scaled(self, p: Point) -> Point {
-        Point::new(p.x / self.size, p.y / self.size)
+        Point::new(p.x * self.inverse, p.y * self.inverse)
     }
 
     /// Returns what so many units are, at most the largest number.
@@ -114,11 +117,6 @@ impl Moments {
         [p.x - self.origin.x, p.y - self.origin.y]
     }
 
-    /// Twice the area, in squared units.
-    pub fn doubled_area(&self) -> f64 {
-        self.doubled_area
-    }
-
     pub fn finish(&self) -> Measure {
         let [x, y] = self.first.map(|first| first / (3.0 * self.doubled_area));
         let size = self.unit.size;
@@ -131,6 +129,27 @@ impl Moments {
             perimeter: self.unit.length(self.perimeter),
         }
     }
+}
+
+/// Returns twice the area of a ring, in units of its own, as [`Moments`] finds it.
+pub(super) fn doubled_area(ring: &[Point]) -> f64 {
+    let [Some(&first), Some(&last)] = [ring.first(), ring.last()] else {
+        return 0.0;
+    };
+    let unit = Unit::of_points(ring.iter());
+    let origin = unit.scaled(first);
+    let relative = |p: Point| {
+        let p = unit.scaled(p);
+        [p.x - origin.x, p.y - origin.y]
+    };
+    let mut a = relative(last);
+    let mut sum = 0.0;
+    for &p in ring {
+        let b = relative(p);
+        sum += a[0] * b[1] - a[1] * b[0];
+        a = b;
+    }
+    sum
 }
 
 /// Integrates the squared distance from `site` over what `ring` surrounds, in units to the fourth
@@ -182,8 +201,9 @@ pub(super) fn difference(from: Point, to: Point) -> ([f64; 2], f64) {
 
 /// Returns how far two points are apart, at most the largest number.
 pub(super) fn distance(a: Point, b: Point) -> f64 {
+    // The larger component is one, or both are zero.
     let ([x, y], size) = difference(a, b);
-    (size * length(x, y)).min(f64::MAX)
+    (size * (x * x + y * y).sqrt()).min(f64::MAX)
 }
 
 #[cfg(test)]

@@ -14,22 +14,22 @@
 //! Along an edge crossings are sorted by their coordinates, which rounding may make equal, but does not
 //! exchange. Of those in one place the order is chosen so that levels stay 0 and 1, if it can be.
 //!
-//! *Cost*: O(n + k log k) for n cells and k crossings.
+//! A cell that no boundary enters or lies in is taken as it is, or left out.
+//!
+//! *Cost*: O(n log n + k log k) for n cells and k crossings, in practice linear in n; see `levels.rs`.
 
 use super::cut::Cutter;
-use super::diagram::{AT_INFINITY, Diagram, Side};
+use super::diagram::Diagram;
 use super::domain::Domain;
+use super::levels::Levels;
 use super::measure::distance;
 use super::parts::Shapes;
-use super::trace::Trace;
+use super::trace::{Crossing, Trace};
+use crate::memory::reserve;
 use crate::pace::{Pace, Strides};
 use crate::parallel::{Workers, joined};
 use crate::{Error, Point, VertexId};
 use std::cmp::Ordering;
-use std::ops::Range;
-
-/// The level of an edge that has not been reached yet.
-const UNKNOWN: i32 = i32::MIN;
 
 /// A diagram and what crosses it.
 pub(super) struct Overlay<'a> {
@@ -38,16 +38,15 @@ pub(super) struct Overlay<'a> {
     pub trace: Trace,
     /// The crossings, edge by edge, in the order along each.
     order: Vec<u32>,
-    /// Where those of each edge begin in `order`.
-    starts: Vec<u32>,
-    /// The level at the beginning of each edge.
-    pub levels: Vec<i32>,
+    pub levels: Levels,
     /// For each crossing the chain that begins there.
     pub begins: Vec<u32>,
-    /// The chains by their cells.
-    by_cell: Vec<u32>,
+    /// The cells that chains pass, sorted.
+    passed: Vec<VertexId>,
     /// The boundaries within a cell, by their cells.
     inner: Vec<(VertexId, u32)>,
+    /// For each cell whether it is one of those.
+    is_touched: Vec<bool>,
 }
 
 impl<'a> Overlay<'a> {
@@ -62,163 +61,144 @@ impl<'a> Overlay<'a> {
         for (i, chain) in (0..).zip(&trace.chains) {
             begins[chain.enter as usize] = i;
         }
-        let mut by_cell: Vec<u32> = (0..trace.chains.len() as u32).collect();
-        by_cell.sort_by_key(|&i| trace.chains[i as usize].cell);
+        let mut passed: Vec<_> = trace.chains.iter().map(|chain| chain.cell).collect();
+        passed.sort_unstable();
+        passed.dedup();
         let mut inner = std::mem::take(&mut trace.inner);
         inner.sort();
-        let (order, starts) = sorted(diagram, sites, &trace);
+        let mut is_touched = vec![false; sites.len()];
+        let entered = inner.iter().map(|(cell, _)| cell).chain(&passed);
+        entered.for_each(|cell| is_touched[cell.index()] = true);
+        let order = sorted(diagram, sites, &trace);
         let mut overlay = Self {
             diagram,
             domain,
             trace,
             order,
-            starts,
-            levels: vec![UNKNOWN; diagram.edges.len()],
+            levels: Levels::of(diagram.vertices.len()),
             begins,
-            by_cell,
+            passed,
             inner,
+            is_touched,
         };
-        overlay.find_levels(sites.len(), pace)?;
+        overlay.find_levels(pace)?;
         overlay.settle_ties();
         Ok(overlay)
     }
 
     /// Returns the crossings of an edge, in order.
     pub fn crossings(&self, edge: u32) -> &[u32] {
-        let [start, end] = [0, 1].map(|k| self.starts[edge as usize + k] as usize);
-        &self.order[start..end]
+        self.crossings_from(edge).of(edge)
     }
 
-    /// Returns by how much the level rises along an edge.
-    pub fn rise(&self, edge: u32) -> i32 {
-        let crossings = self.crossings(edge).iter();
-        crossings
-            .map(|&c| self.trace.crossings[c as usize].sign)
-            .sum()
-    }
-
-    /// Finds the levels, from cell to cell, beginning at infinity.
-    fn find_levels(&mut self, num_sites: usize, pace: &mut Pace) -> Result<(), Error> {
-        let mut stack: Vec<VertexId> = Vec::new();
-        let mut is_seen = vec![false; num_sites];
-        for site in (0..num_sites).map(VertexId::new) {
-            let first = self.diagram.sides(site).next();
-            if first.is_some_and(|side| self.diagram.ends(side)[0] == AT_INFINITY) {
-                is_seen[site.index()] = true;
-                stack.push(site);
-            }
+    /// Returns the crossings of an edge and of those after it.
+    fn crossings_from(&self, edge: u32) -> Crossings<'_> {
+        let crossings = &self.trace.crossings;
+        let start = self
+            .order
+            .partition_point(|&c| crossings[c as usize].edge < edge);
+        Crossings {
+            crossings,
+            order: &self.order[start..],
         }
-        while let Some(site) = stack.pop() {
-            pace.step()?;
-            self.find_levels_around(site);
-            for side in self.diagram.sides(site) {
-                let beyond = self.diagram.beyond(side);
-                if !std::mem::replace(&mut is_seen[beyond.index()], true) {
-                    stack.push(beyond);
-                }
-            }
-        }
-        Ok(())
     }
 
-    /// Finds the levels around a cell, which touches infinity, or of which some level is known.
-    fn find_levels_around(&mut self, site: VertexId) {
-        let diagram = self.diagram;
-        let known = |side: Side| {
-            let at_infinity = diagram.ends(side)[0] == AT_INFINITY;
-            at_infinity || self.levels[side.edge as usize] != UNKNOWN
+    /// Finds the levels of all vertices.
+    fn find_levels(&mut self, pace: &mut Pace) -> Result<(), Error> {
+        let trace = &self.trace;
+        let mut crossings = Crossings {
+            crossings: &trace.crossings,
+            order: &self.order,
         };
-        let sides = diagram.sides(site);
-        let first = sides.clone().position(known);
-        let first = first.expect("bug: a cell of which no level is known");
-        let mut level = 0;
-        for side in sides.clone().skip(first).chain(sides.take(first)) {
-            let rise = self.rise(side.edge);
-            let [from, to] = diagram.ends(side);
-            let found = &mut self.levels[side.edge as usize];
-            if *found == UNKNOWN {
-                let start = if from == AT_INFINITY { 0 } else { level };
-                *found = if side.is_reversed {
-                    start - rise
-                } else {
-                    start
-                };
-            }
-            level = match side.is_reversed {
-                _ if to == AT_INFINITY => 0,
-                true => *found,
-                false => *found + rise,
-            };
+        for (number, edge) in (0..).zip(&self.diagram.edges) {
+            pace.step()?;
+            let signs = crossings
+                .of(number)
+                .iter()
+                .map(|&c| trace.crossings[c as usize].sign);
+            self.levels.join(edge.ends, signs.sum());
         }
+        self.levels.settle();
+        Ok(())
     }
 
     /// Orders crossings in one place so that levels stay between 0 and 1, if they can.
     fn settle_ties(&mut self) {
-        for edge in 0..self.diagram.edges.len() {
-            let [start, end] = [0, 1].map(|k| self.starts[edge + k] as usize);
-            if end - start < 2 {
-                continue;
-            }
-            let crossing = |c: u32| self.trace.crossings[c as usize];
-            let mut level = self.levels[edge];
-            for i in start..end {
-                let here = crossing(self.order[i]).at;
-                let mut alike = (i..end).take_while(|&j| crossing(self.order[j]).at == here);
+        let crossings = &self.trace.crossings;
+        let crossing = |c: u32| crossings[c as usize];
+        let is_same = |&c: &u32, &d: &u32| crossing(c).edge == crossing(d).edge;
+        for order in self
+            .order
+            .chunk_by_mut(is_same)
+            .filter(|order| order.len() > 1)
+        {
+            let [from, _] = self.diagram.edges[crossing(order[0]).edge as usize].ends;
+            let mut level = self.levels.at(from);
+            for i in 0..order.len() {
+                let here = crossing(order[i]).at;
+                let mut alike = (i..order.len()).take_while(|&j| crossing(order[j]).at == here);
                 let wanted = if level <= 0 { 1 } else { -1 };
-                if let Some(j) = alike.find(|&j| crossing(self.order[j]).sign == wanted) {
-                    self.order[i..=j].rotate_right(1);
+                if let Some(j) = alike.find(|&j| crossing(order[j]).sign == wanted) {
+                    order[i..=j].rotate_right(1);
                 }
-                level += crossing(self.order[i]).sign;
+                level += crossing(order[i]).sign;
             }
         }
     }
 
     /// Cuts out all cells, and measures how much of each edge lies in the domain.
-    pub fn cut(
-        &self,
-        num_sites: usize,
-        workers: Workers,
-        pace: &Pace,
-    ) -> Result<(Shapes, Vec<f64>), Error> {
-        let shapes = workers.ranges(num_sites, |sites| self.cut_some(sites, pace.strides()))?;
+    pub fn cut(&self, workers: Workers, pace: &Pace) -> Result<(Shapes, Vec<f64>), Error> {
+        let order = &self.diagram.order;
+        let shapes = workers.ranges(order.len(), |ranks| {
+            self.cut_some(&order[ranks], pace.strides())
+        })?;
         let mut shapes = shapes.into_iter();
         let mut all = shapes.next().unwrap_or_default();
         shapes.for_each(|shapes| all.append(&shapes));
+        all.number(order);
         let lengths = workers.ranges(self.diagram.edges.len(), |edges| {
-            let lengths = edges.map(|edge| self.length_inside(edge as u32));
-            Ok(lengths.collect())
+            let mut crossings = self.crossings_from(edges.start as u32);
+            let mut lengths = reserve(edges.len());
+            lengths.extend(edges.map(|edge| {
+                let edge = edge as u32;
+                self.length_inside(edge, crossings.of(edge))
+            }));
+            Ok(lengths)
         })?;
         Ok((all, joined(lengths)))
     }
 
     /// Cuts out some cells.
-    fn cut_some(&self, sites: Range<usize>, mut strides: Strides) -> Result<Shapes, Error> {
-        let mut shapes = Shapes::default();
+    fn cut_some(&self, sites: &[VertexId], mut strides: Strides) -> Result<Shapes, Error> {
+        let mut shapes = Shapes::with_capacity(sites.len());
         let mut cutter = Cutter::new(self);
-        let first = VertexId::new(sites.start);
-        let cell_of = |&i: &u32| self.trace.chains[i as usize].cell;
-        let (mut chains, mut inner) = (&self.by_cell[..], &self.inner[..]);
-        chains = &chains[chains.partition_point(|i| cell_of(i) < first)..];
-        inner = &inner[inner.partition_point(|&(cell, _)| cell < first)..];
-        for site in sites.map(VertexId::new) {
+        for &site in sites {
             strides.step()?;
-            let number = chains.iter().take_while(|i| cell_of(i) == site).count();
-            let rings = inner.iter().take_while(|(cell, _)| *cell == site).count();
-            cutter.cut(site, number > 0, &inner[..rings], &mut shapes);
-            (chains, inner) = (&chains[number..], &inner[rings..]);
+            if self.is_touched[site.index()] {
+                let has_chains = self.passed.binary_search(&site).is_ok();
+                cutter.cut(site, has_chains, self.rings_in(site), &mut shapes);
+            } else {
+                cutter.take(site, &mut shapes);
+            }
             shapes.end_cell();
         }
         Ok(shapes)
     }
 
+    /// Returns the boundaries that lie in a cell.
+    fn rings_in(&self, site: VertexId) -> &[(VertexId, u32)] {
+        let start = self.inner.partition_point(|&(cell, _)| cell < site);
+        let end = self.inner.partition_point(|&(cell, _)| cell <= site);
+        &self.inner[start..end]
+    }
+
     /// Measures how much of an edge lies in the domain.
-    fn length_inside(&self, edge: u32) -> f64 {
-        let mut level = self.levels[edge as usize];
-        let crossings = self.crossings(edge);
+    fn length_inside(&self, edge: u32, crossings: &[u32]) -> f64 {
+        let [from, to] = self.diagram.edges[edge as usize].ends;
+        let mut level = self.levels.at(from);
         if level < 1 && crossings.is_empty() {
             return 0.0;
         }
-        let [from, to] = self.diagram.edges[edge as usize].ends;
         let corner = |v: u32| self.diagram.vertices.get(v as usize).copied();
         let mut last = corner(from);
         let mut sum = 0.0;
@@ -236,15 +216,27 @@ impl<'a> Overlay<'a> {
     }
 }
 
+/// Crossings edge by edge, to be asked for edges in their order.
+struct Crossings<'a> {
+    crossings: &'a [Crossing],
+    /// Those that have not been passed.
+    order: &'a [u32],
+}
+
+impl<'a> Crossings<'a> {
+    /// Passes those of an edge, and returns them; none of an edge before it may be left.
+    #[inline]
+    fn of(&mut self, edge: u32) -> &'a [u32] {
+        let is_here = |c: &&u32| self.crossings[**c as usize].edge == edge;
+        let number = self.order.iter().take_while(is_here).count();
+        let (here, rest) = self.order.split_at(number);
+        self.order = rest;
+        here
+    }
+}
+
 /// Sorts crossings by their edges, and along each of these.
-fn sorted(diagram: &Diagram, sites: &[Point], trace: &Trace) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0; diagram.edges.len() + 1];
-    for crossing in &trace.crossings {
-        starts[crossing.edge as usize + 1] += 1;
-    }
-    for i in 1..starts.len() {
-        starts[i] += starts[i - 1];
-    }
+fn sorted(diagram: &Diagram, sites: &[Point], trace: &Trace) -> Vec<u32> {
     let mut order: Vec<u32> = (0..trace.crossings.len() as u32).collect();
     let crossing = |c: u32| &trace.crossings[c as usize];
     order.sort_by(|&c, &d| {
@@ -260,7 +252,7 @@ fn sorted(diagram: &Diagram, sites: &[Point], trace: &Trace) -> (Vec<u32>, Vec<u
             .cmp(&d.edge)
             .then_with(|| compare_along(along(), c.at, d.at))
     });
-    (order, starts)
+    order
 }
 
 /// Returns to which side and in which vertical direction an edge between two sites runs, the first to its
