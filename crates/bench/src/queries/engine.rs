@@ -82,7 +82,7 @@ impl Engine {
                 "the same; `locate`, `nearest`, `k_nearest`, one by one"
             }
             (Self::Delone { .. }, Room::Cells) => {
-                "`triangulate`, the only step on several threads, `Voronoi::new`, and `clip` to the \
+                "`triangulate`, `Voronoi::new`, and `clip` to the \
                  bounds of the sites: polygons, lengths of common borders"
             }
             (Self::Delone { .. }, Room::Surfaces) => {

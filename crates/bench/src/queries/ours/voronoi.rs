@@ -5,18 +5,25 @@ use crate::measure::under_the_clock;
 use crate::queries::bounds::Bounds;
 use crate::queries::job::Answer;
 use delone::voronoi::{Domain, Voronoi};
-use delone::{Delaunay, Error};
+use delone::{Delaunay, Error, on_threads};
 
 impl Asked<'_> {
-    /// The triangulation may use threads; the diagram and its clipping do not.
+    /// All of it may use threads.
     pub(super) fn voronoi(self) -> Result<Answer, String> {
         let bounds = Bounds::of(&self.input.points);
         let points = self.input.points.clone();
         let builder = Delaunay::new().threads(self.threads());
-        let diagram = || Voronoi::new(&builder.triangulate(points)?, &());
+        let threads = self.threads();
+        let diagram = || {
+            let triangulation = builder.triangulate(points)?;
+            on_threads(threads, || Voronoi::new(&triangulation, &()))?
+        };
         let (voronoi, made) = under_the_clock(diagram);
         let voronoi = voronoi.map_err(say)?;
-        let clip = || voronoi.clip(&Domain::rectangle(bounds.low, bounds.high)?, &());
+        let clip = || {
+            let rectangle = Domain::rectangle(bounds.low, bounds.high)?;
+            on_threads(threads, || voronoi.clip(&rectangle, &()))?
+        };
         let (clipped, cut) = under_the_clock(clip);
         let clipped = clipped.map_err(say)?;
         // In a rectangle no cell has more than one part; equal points have one cell together.
