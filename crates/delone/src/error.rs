@@ -285,6 +285,64 @@ pub enum Error {
         /// What was asked for.
         what: &'static str,
     },
+    /// A triangle is to hold more data than there are.
+    #[error(
+        "a triangle is to hold at least {least} data, but there are {distinct} different ones; ask for fewer"
+    )]
+    TooFewData {
+        /// Number of different data.
+        distinct: usize,
+        /// How many a triangle is to hold.
+        least: usize,
+    },
+    /// All data lie on one line, so that no triangle holds them well.
+    #[error(
+        "all {distinct} different data lie on one line; a triangulation needs data that do not"
+    )]
+    CollinearData {
+        /// Number of different data.
+        distinct: usize,
+    },
+    /// A datum lies outside of the domain that was given.
+    #[error(
+        "datum {datum} at ({}, {}) lies outside of the domain; enlarge the domain, or leave it out", at.x, at.y
+    )]
+    DatumOutside {
+        /// Index of the datum.
+        datum: usize,
+        /// Its position.
+        at: Point,
+    },
+    /// In no triangulation that was tried of the domain that was given all triangles hold enough data.
+    #[error(
+        "the triangle ({}, {}), ({}, {}), ({}, {}) of the domain holds {data} data, but is to hold at least {least}; \
+         ask for fewer, or give another domain or none",
+        triangle[0].x, triangle[0].y, triangle[1].x, triangle[1].y, triangle[2].x, triangle[2].y
+    )]
+    DomainTooEmpty {
+        /// The corners of a triangle that holds too few.
+        triangle: [Point; 3],
+        /// How many it holds.
+        data: usize,
+        /// How many it is to hold.
+        least: usize,
+    },
+    /// The outline of a domain is no simple polygon.
+    #[error("the domain is no simple polygon: {why}")]
+    BadDomain {
+        /// What is wrong.
+        why: &'static str,
+    },
+    /// A number that an algorithm is told cannot be used.
+    #[error("{what} is {given}: {must}")]
+    BadChoice {
+        /// What it is.
+        what: &'static str,
+        /// The number given.
+        given: f64,
+        /// What it must be.
+        must: &'static str,
+    },
     /// The caller's [`Watch`](crate::Watch) asked to stop.
     #[error("cancelled")]
     Cancelled,

@@ -88,6 +88,7 @@
 //!   circles, tours.
 //! - [`voronoi`]: cells, clipped and measured, and points relaxed in them. [`surface`]: values between
 //!   vertices, gradients, rasters, contour lines.
+//! - [`scattered`]: triangulations made for data, with enough of them in every triangle and not too many.
 //! - [`classic`]: the classical algorithms, faithful to their texts; [`Log`], [`Scene`], [`Tally`]: their steps,
 //!   played and counted.
 //! - [`predicates`]: the exact signs. [`on_threads`]: how many threads work, where no setting says so.
@@ -120,6 +121,7 @@ mod pslg;
 mod quality;
 mod refine;
 pub mod regular;
+pub mod scattered;
 pub mod surface;
 mod tables;
 mod triangulation;

@@ -224,6 +224,29 @@ const ROOMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "scattered",
+        &[
+            "point",
+            "mesh",
+            "predicates",
+            "triangulation",
+            "quality",
+            "observe",
+            "pslg",
+            "locate",
+            "delaunay",
+            "constrained",
+            // Centers of clusters come and go.
+            "edit",
+            "order",
+            "error",
+            "watch",
+            "memory",
+            "parallel",
+            "pace",
+        ],
+    ),
+    (
         "edit",
         &[
             "point",

@@ -31,6 +31,15 @@ pub enum Event {
         /// Where it lay.
         at: Point,
     },
+    /// A vertex on which nothing hangs goes elsewhere.
+    VertexMoved {
+        /// Its number.
+        vertex: VertexId,
+        /// Where it lay.
+        from: Point,
+        /// Where it lies.
+        to: Point,
+    },
     /// An edge appears, with no triangle on either side yet.
     EdgeCreated {
         /// Its ends.
@@ -250,6 +259,36 @@ pub enum Event {
         /// The ends of the edge.
         edge: [VertexId; 2],
     },
+    /// Every triangle holds enough data: the triangulation is good.
+    CoverAccepted {
+        /// How many triangles there are.
+        triangles: u32,
+    },
+    /// A triangle holds too few data: the triangulation is no good.
+    CoverRejected {
+        /// Its corners.
+        triangle: [VertexId; 3],
+        /// How many it holds.
+        data: u32,
+    },
+    /// An edge of the outer polygon is about to shrink to the point where its neighbours' lines meet; or else, if
+    /// there is none, the polygon is to become a triangle.
+    OuterReduced {
+        /// Its ends.
+        edge: Option<[VertexId; 2]>,
+    },
+    /// A place for a new vertex is tried.
+    PlaceTried {
+        /// Where it is, rounded.
+        at: Point,
+        /// How many data the new triangles would hold, data between two counted for both; 0 beyond the last one.
+        counts: [u32; 4],
+    },
+    /// No vertex is found that divides a triangle.
+    DivisionFailed {
+        /// Its corners.
+        triangle: [VertexId; 3],
+    },
     /// An algorithm replayed as it was printed goes wrong here.
     PrintFailed {
         /// How.
@@ -389,6 +428,14 @@ pub enum Stage {
     OpenTriangles,
     /// Edges that an order of events has left wrong, rounded or of equal ones, are flipped.
     Repair,
+    /// The outer polygon is laid around the data.
+    OuterPolygon,
+    /// Centers of clusters are added.
+    Clusters,
+    /// Vertices are put on edges: Algorithm B.
+    DivideEdges,
+    /// Vertices are put into triangles: Algorithm C.
+    DivideTriangles,
 }
 
 impl Event {
@@ -397,6 +444,11 @@ impl Event {
         match self {
             Self::VertexCreated { vertex, at } => Self::VertexDeleted { vertex, at },
             Self::VertexDeleted { vertex, at } => Self::VertexCreated { vertex, at },
+            Self::VertexMoved { vertex, from, to } => Self::VertexMoved {
+                vertex,
+                from: to,
+                to: from,
+            },
             Self::EdgeCreated { edge } => Self::EdgeDeleted { edge },
             Self::EdgeDeleted { edge } => Self::EdgeCreated { edge },
             Self::EdgeLocked { edge } => Self::EdgeUnlocked { edge },
@@ -443,7 +495,10 @@ impl Event {
     pub fn changes_scene(self) -> bool {
         let may_be_its_own = matches!(
             self,
-            Self::SweptTo { .. } | Self::DatumReassigned { .. } | Self::ClusterMoved { .. }
+            Self::VertexMoved { .. }
+                | Self::SweptTo { .. }
+                | Self::DatumReassigned { .. }
+                | Self::ClusterMoved { .. }
         );
         may_be_its_own || self.reversed() != self
     }

@@ -170,6 +170,7 @@ impl Scene {
         match event {
             Event::VertexCreated { vertex, at } => self.create_vertex(vertex, at),
             Event::VertexDeleted { vertex, at } => self.delete_vertex(vertex, at),
+            Event::VertexMoved { vertex, from, to } => self.move_vertex(vertex, from, to),
             Event::EdgeCreated { edge } => self.create_edge(edge),
             Event::EdgeDeleted { edge } => self.delete_edge(edge),
             Event::EdgeLocked { edge } => self.lock(edge),
@@ -222,6 +223,16 @@ impl Scene {
         require(is_last, "it is not the last vertex")?;
         require(self.point(v) == Some(at), "it lies elsewhere")?;
         self.points.pop();
+        Ok(())
+    }
+
+    fn move_vertex(&mut self, v: VertexId, from: Point, to: Point) -> Result<(), &'static str> {
+        require(self.point(v) == Some(from), "it lies elsewhere")?;
+        let from_it = [v, VertexId::new(0)]..=[v, VertexId::INFINITE];
+        let is_free = self.edges.range(from_it.clone()).next().is_none()
+            && self.apexes.range(from_it).next().is_none();
+        require(is_free, "an edge hangs on it")?;
+        self.points[v.index()] = to;
         Ok(())
     }
 

@@ -1,0 +1,26 @@
+//! Triangulations that are made for data: between d and 3d − 1 of them in every triangle.
+//!
+//! Who fits a polynomial of degree k in each triangle needs enough data there to determine it (d = 3, 6, 10 for
+//! k = 1, 2, 3), few enough to resolve detail, and no needles. [`cover`] makes such a triangulation, its vertices
+//! being wherever that is best:
+//!
+//! 1. Algorithm A lays an outer polygon around the data, and adds centers of clusters as long as every triangle
+//!    of the Delaunay triangulation holds at least d data.
+//! 2. Algorithm B goes through the triangles, the fullest first, and puts a vertex on an edge, or on the other
+//!    diagonal, where that makes triangles that hold at least d each.
+//! 3. Algorithm C opens triangles that still hold 3d or more with a vertex inside.
+//!
+//! After each vertex of B and C edges are flipped for larger angles, as far as that leaves d data on both sides.
+//!
+//! *Who holds what*: data are a set, equal ones count once. Each datum is *held* by exactly one triangle; one that
+//! lies on an edge or a vertex by any of those there, and where a bound can be met by choosing, it is.
+//!
+//! *Exact*: in which triangles a datum may be, and whether a vertex goes where it must, is decided by the exact
+//! signs, on the vertices as they are handed out, rounded.
+//!
+//! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
+
+mod result;
+mod share;
+
+pub use result::{Cause, DataTriangulation, Exception};

@@ -1,0 +1,111 @@
+//! What comes out: triangles, and who holds which datum.
+
+use crate::{Duplicate, Point, TriangleId, VertexId};
+
+/// A triangulation each of whose triangles holds at least d of the data, and, but for
+/// [exceptions](Self::exceptions) that are named, at most 3d − 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DataTriangulation {
+    pub(super) data: Vec<Point>,
+    pub(super) duplicates: Vec<Duplicate>,
+    pub(super) points: Vec<Point>,
+    pub(super) triangles: Vec<[VertexId; 3]>,
+    pub(super) holders: Vec<TriangleId>,
+    pub(super) least: usize,
+    pub(super) exceptions: Vec<Exception>,
+}
+
+/// A triangle that holds more than 3d − 1 data, and why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Exception {
+    /// The triangle.
+    pub triangle: TriangleId,
+    /// How many data it holds.
+    pub data: usize,
+    /// Why no vertex opens it.
+    pub cause: Cause,
+}
+
+/// Why a triangle that holds 3d data or more cannot be opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+pub enum Cause {
+    /// Without the data on one of its open edges it holds fewer than 2d.
+    Edge {
+        /// The ends of the edge.
+        edge: [VertexId; 2],
+        /// How many of its data lie on it.
+        data: usize,
+    },
+    /// Without the data on two of its edges (their common end included, the other ends not) it holds fewer than d.
+    TwoEdges {
+        /// The common end.
+        corner: VertexId,
+        /// How many of its data lie on them.
+        data: usize,
+    },
+    /// There is such a place, but no point with double-precision coordinates was found in it.
+    Resolution,
+}
+
+impl DataTriangulation {
+    /// Returns the data, as they were given, but for −0.0, which has become 0.0.
+    pub fn data(&self) -> &[Point] {
+        &self.data
+    }
+
+    /// Returns the data that equal an earlier one. They count no more, and their holder is that of the earlier one.
+    pub fn duplicates(&self) -> &[Duplicate] {
+        &self.duplicates
+    }
+
+    /// Counts the data, equal ones once.
+    pub fn num_data(&self) -> usize {
+        self.data.len() - self.duplicates.len()
+    }
+
+    /// Returns the vertices.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Returns the triangles, corners counter-clockwise.
+    pub fn triangles(&self) -> &[[VertexId; 3]] {
+        &self.triangles
+    }
+
+    /// Returns the triangle that holds each datum.
+    pub fn holders(&self) -> &[TriangleId] {
+        &self.holders
+    }
+
+    /// Returns d: how many data each triangle holds at least.
+    pub fn least(&self) -> usize {
+        self.least
+    }
+
+    /// Returns how many data a triangle may hold: 3d − 1.
+    pub fn most(&self) -> usize {
+        3 * self.least - 1
+    }
+
+    /// Returns the triangles that hold more, ascending, each with its cause.
+    pub fn exceptions(&self) -> &[Exception] {
+        &self.exceptions
+    }
+
+    /// Counts the data that each triangle holds, equal ones once. *Cost*: linear.
+    pub fn counts(&self) -> Vec<usize> {
+        let mut counts = vec![0; self.triangles.len()];
+        self.holders.iter().for_each(|t| counts[t.index()] += 1);
+        for duplicate in &self.duplicates {
+            counts[self.holders[duplicate.dropped.index()].index()] -= 1;
+        }
+        counts
+    }
+}
