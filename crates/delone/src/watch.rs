@@ -31,6 +31,9 @@ pub enum Phase {
     Proximity,
     /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
     Tour,
+    /// Covering data with triangles; units are triangles, and nobody knows beforehand how many it will take: the
+    /// total is an estimate.
+    Cover,
     /// Verifying a triangulation.
     Check,
     /// Answering queries: where points lie, what is nearest to them.

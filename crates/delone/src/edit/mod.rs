@@ -44,6 +44,7 @@ mod snapshot;
 pub use crate::delaunay::Inserted;
 pub use constraints::ConstraintId;
 pub use error::EditError;
+pub(crate) use removal::{Room, remove};
 pub use snapshot::Snapshot;
 
 use crate::constrained::{Draft, Inserter};
@@ -54,7 +55,6 @@ use crate::{Error, Mesh, Point, VertexId};
 use constraints::Constraints;
 use places::Places;
 use primitive::Step;
-use removal::Room;
 use slots::Slots;
 use std::fmt;
 

@@ -72,7 +72,9 @@ impl LiveTriangulation {
                 let other = self.places.any().expect("bug: one vertex is left");
                 self.draft.clear([v, other]);
             }
-            _ => removal::remove(&mut self.draft, v, &mut self.room),
+            _ => {
+                let _ = removal::remove(&mut self.draft, v, &mut self.room);
+            }
         }
         self.journal.push(Step::Removed(v, point));
     }

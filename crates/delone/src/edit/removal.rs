@@ -26,15 +26,17 @@ use crate::{HalfEdgeId, TriangleId, VertexId};
 
 /// Lists to work with, kept from one removal to the next.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Room {
+pub(crate) struct Room {
     /// The faces that take the place of the star.
-    faces: Vec<TriangleId>,
+    pub faces: Vec<TriangleId>,
     pub suspects: Vec<HalfEdgeId>,
 }
 
 /// Removes a vertex; at least two must be left. No constrained edge may end there, but two may pass
 /// straight on into each other: they become one.
-pub(super) fn remove(draft: &mut Draft, v: VertexId, room: &mut Room) {
+///
+/// Returns which faces have got new ids; the triangles in place of the star are in `room`.
+pub(crate) fn remove(draft: &mut Draft, v: VertexId, room: &mut Room) -> [Moved; 2] {
     let Room { faces, suspects } = room;
     faces.clear();
     let first = draft
@@ -52,6 +54,7 @@ pub(super) fn remove(draft: &mut Draft, v: VertexId, room: &mut Room) {
     }
     faces.retain(|&t| !draft.mesh.is_ghost(t));
     refill(draft, faces, suspects);
+    moved
 }
 
 /// Flips spokes out of the star of the vertex from which `h` starts, as long as there are more than

@@ -20,7 +20,21 @@
 //!
 //! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
 
+mod algorithm_a;
+mod algorithm_b;
+mod algorithm_c;
+mod centers;
+mod cover;
+mod data;
+mod field;
+mod open;
+mod optimize;
+mod outline;
 mod result;
 mod share;
+mod sheet;
+mod stock;
+mod trial;
 
+pub use cover::{Cover, cover};
 pub use result::{Cause, DataTriangulation, Exception};

@@ -1,6 +1,7 @@
 //! What comes out: triangles, and who holds which datum.
 
-use crate::{Duplicate, Point, TriangleId, VertexId};
+use super::field::Field;
+use crate::{Duplicate, Observer, Point, TriangleId, VertexId};
 
 /// A triangulation each of whose triangles holds at least d of the data, and, but for
 /// [exceptions](Self::exceptions) that are named, at most 3d − 1.
@@ -107,5 +108,41 @@ impl DataTriangulation {
             counts[self.holders[duplicate.dropped.index()].index()] -= 1;
         }
         counts
+    }
+}
+
+/// Hands out what a field has come to.
+pub(super) fn hand_out(
+    field: &Field<impl Observer>,
+    least: usize,
+    exceptions: Vec<Exception>,
+) -> DataTriangulation {
+    let mesh = &field.draft.mesh;
+    let data = field.data;
+    // Ghosts are among the faces.
+    let ids: Vec<_> = mesh.triangles().collect();
+    let mut new_ids = vec![TriangleId::new(0); mesh.num_faces()];
+    let mut holders = vec![TriangleId::new(0); data.given.len()];
+    for (i, &t) in ids.iter().enumerate() {
+        new_ids[t.index()] = TriangleId::new(i);
+        for held in field.stock.held(t) {
+            holders[data.names[held.datum()].index()] = TriangleId::new(i);
+        }
+    }
+    for duplicate in &data.duplicates {
+        holders[duplicate.dropped.index()] = holders[duplicate.kept.index()];
+    }
+    let exceptions = exceptions.into_iter().map(|exception| Exception {
+        triangle: new_ids[exception.triangle.index()],
+        ..exception
+    });
+    DataTriangulation {
+        data: data.given.clone(),
+        duplicates: data.duplicates.clone(),
+        points: field.draft.points.clone(),
+        triangles: ids.iter().map(|&t| mesh.corners(t)).collect(),
+        holders,
+        least,
+        exceptions: exceptions.collect(),
     }
 }

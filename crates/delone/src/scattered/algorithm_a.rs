@@ -1,0 +1,109 @@
+//! Algorithm A (chapter 3.25): an outer polygon, and centers of clusters in it, as many as leave every triangle of the
+//! Delaunay triangulation enough data.
+//!
+//! The text triangulates anew for every center. Here a center that goes is removed from the triangulation and the two
+//! that come are inserted, and only the data of triangles that change are dealt out again; since the Delaunay
+//! triangulation is unique, the result is the same.
+
+use super::Cover;
+use super::centers::Centers;
+use super::field::Field;
+use super::outline::{Outline, Reduction};
+use super::trial::{Short, Trial, triangulate};
+use crate::{Error, Event, Observer, Point, Stage, TriangleId, VertexId};
+
+/// Runs it: afterwards every triangle holds enough.
+///
+/// # Errors
+/// [`Error::DomainTooEmpty`] if the domain is given, and no triangulation of it does; [`Error::BadDomain`],
+/// [`Error::DatumOutside`] if it is not good; [`Error::Cancelled`].
+pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(), Error> {
+    field.at(1);
+    let mut outline = match &options.domain {
+        Some(corners) => Outline::of_domain(corners)?,
+        None => Outline::around(&field.data.points, options.factor)?,
+    };
+    end(field, Stage::OuterPolygon);
+    let centers = Centers::new(&field.data.points);
+    loop {
+        match best(field, outline.corners(), centers.clone(), options)? {
+            Ok(points) => {
+                field.at(11);
+                let triangles = triangulate(outline.corners(), &points)?;
+                field.lay_out([outline.corners(), &points].concat(), &triangles)?;
+                require_filled(field, options.least)?;
+                end(field, Stage::Clusters);
+                return Ok(());
+            }
+            Err(too_empty) if options.domain.is_some() => return Err(too_empty),
+            Err(_) => reduce(field, &mut outline),
+        }
+    }
+}
+
+/// Finds the last good triangulation that has these corners, and returns its vertices besides; or why there is none.
+fn best(
+    field: &mut Field<impl Observer>,
+    corners: &[Point],
+    centers: Centers,
+    options: &Cover,
+) -> Result<Result<Vec<Point>, Error>, Error> {
+    let least = options.least;
+    let mut trial = Trial::begin(field, corners, centers)?;
+    trial.field.at(3);
+    let mut best = match trial.judge(least) {
+        None => Ok(Vec::new()),
+        Some(t) => Err(too_empty(trial.field, t, least)),
+    };
+    let mut misses = 0;
+    while options.inner_points && misses < options.misses {
+        trial.field.at(7);
+        if !trial.add_center()? {
+            break;
+        }
+        trial.field.advance()?;
+        trial.field.at(8);
+        match trial.judge(least) {
+            None => (best, misses) = (Ok(trial.inner_points()), 0),
+            Some(_) => misses += 1,
+        }
+    }
+    trial.end();
+    Ok(best)
+}
+
+/// Refuses a triangulation one of whose triangles cannot hold enough; chooses who holds what so that all do.
+///
+/// # Errors
+/// [`Error::DomainTooEmpty`] names one that does not.
+pub(super) fn require_filled(field: &mut Field<impl Observer>, least: usize) -> Result<(), Error> {
+    match Short::default().settle(field, least) {
+        None => Ok(()),
+        Some(t) => Err(too_empty(field, t, least)),
+    }
+}
+
+fn too_empty(field: &Field<impl Observer>, t: TriangleId, least: usize) -> Error {
+    Error::DomainTooEmpty {
+        triangle: field.corners(t),
+        data: field.stock.count(t),
+        least,
+    }
+}
+
+/// Makes the outer polygon smaller by a corner.
+fn reduce(field: &mut Field<impl Observer>, outline: &mut Outline) {
+    field.at(12);
+    let edge = match outline.reduce() {
+        Reduction::Edge(ends) => Some(ends.map(|corner| field.name(VertexId::new(corner)))),
+        Reduction::Enclosed => None,
+    };
+    field.tell(|| Event::OuterReduced { edge });
+}
+
+fn end(field: &mut Field<impl Observer>, stage: Stage) {
+    field.tell(|| Event::StageEnded {
+        stage,
+        min_angle: None,
+    });
+}

@@ -1,0 +1,3 @@
+//! Triangulations made for data: what they promise, on every kind of data.
+
+mod cover;
