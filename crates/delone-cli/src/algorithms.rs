@@ -91,6 +91,7 @@ impl From<&About> for Description {
                 Takes::Points => "points",
                 Takes::Triangulation => "triangulation",
                 Takes::Domain => "domain",
+                Takes::Data => "data",
             },
             delaunay: about.is_delaunay,
             code: about.code,

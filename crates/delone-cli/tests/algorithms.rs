@@ -62,6 +62,7 @@ fn the_list_names_all_and_json_says_more() {
             Takes::Points => "points",
             Takes::Triangulation => "triangulation",
             Takes::Domain => "domain",
+            Takes::Data => "data",
         };
         assert_eq!(json["takes"], takes);
         let line = format!("algorithms show {} --json", about.name);
@@ -101,7 +102,11 @@ fn all_run_on_what_is_at_hand() {
         assert_eq!(json["algorithm"], about.name);
         assert_eq!(
             json["points"],
-            if about.takes == Takes::Points { 30 } else { 9 }
+            match about.takes {
+                Takes::Points => 30,
+                Takes::Data => 60,
+                Takes::Triangulation | Takes::Domain => 9,
+            }
         );
         assert!(
             json["statistics"]["steps"].as_u64() > Some(20),

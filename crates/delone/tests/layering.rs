@@ -125,6 +125,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "constrained",
             "tables",
             "refine",
+            // Algorithms A, B and C, told of here.
+            "scattered",
             "order",
             "error",
             "watch",

@@ -21,6 +21,9 @@ const CUT: &str = "take the cut.poly of `delone triangulate INPUT --crossings sp
 /// Points that are taken if no file is named.
 const FEW: usize = 30;
 
+/// Data that are taken if no file is named.
+const FEW_DATA: usize = 60;
+
 /// Options about what an algorithm works on.
 #[derive(clap::Args)]
 pub struct Given {
@@ -39,12 +42,20 @@ pub struct Given {
     #[arg(long, value_name = "DEG", help_heading = None, value_parser = angle,
           allow_negative_numbers = true)]
     min_angle: Option<f64>,
+    /// For algorithms that cover data: how many each triangle is to hold at least
+    #[arg(short = 'd', long, value_name = "DATA", help_heading = None)]
+    data_per_triangle: Option<usize>,
     /// For algorithms on domains: which triangles to keep [default: carve for the segments of a .poly,
     /// evenodd for polygons of GeoJSON and WKT, otherwise hull]
     #[arg(long, value_enum, value_name = "RULE", help_heading = None)]
     domain: Option<Rule>,
     #[command(flatten)]
     reading: Reading,
+}
+
+/// Tells whether an algorithm works on points alone.
+fn is_bare(takes: Takes) -> bool {
+    matches!(takes, Takes::Points | Takes::Data)
 }
 
 impl Given {
@@ -63,8 +74,9 @@ impl Given {
                 outputs.spare(&file.files())?;
                 self.of_file(&file, takes, progress)?
             }
-            None if takes == Takes::Points => {
-                let points = Distribution::Uniform.points(FEW, 1);
+            None if is_bare(takes) => {
+                let number = if takes == Takes::Data { FEW_DATA } else { FEW };
+                let points = Distribution::Uniform.points(number, 1);
                 let points = points.into_iter().map(Point::from).collect();
                 of_domain(
                     "the sample",
@@ -77,7 +89,7 @@ impl Given {
             }
             None => of_domain(Scene::Thesis.name(), Scene::Thesis.draw()),
         };
-        if takes == Takes::Points && !input.pslg.segments.is_empty() {
+        if is_bare(takes) && !input.pslg.segments.is_empty() {
             let segments = counted(input.pslg.segments.len(), "segment", "segments");
             let name = algorithm.about().name;
             progress.note(&[format!(
@@ -93,6 +105,7 @@ impl Given {
             ]);
         }
         input.quality = self.quality(algorithm);
+        input.least = self.data_per_triangle.unwrap_or(input.least);
         input.watch = progress;
         Ok((input, numbering.about_crossings(CUT)))
     }
@@ -103,7 +116,9 @@ impl Given {
         let is_bounded = self.max_edge.is_some() || self.min_angle.is_some();
         let idle = if is_bounded && algorithm != Algorithm::Thesis {
             format!("--max-edge and --min-angle are for `thesis`; `{name}` knows no bounds")
-        } else if self.domain.is_some() && *takes == Takes::Points {
+        } else if self.data_per_triangle.is_some() && *takes != Takes::Data {
+            format!("--data-per-triangle is for algorithms that cover data; `{name}` does not")
+        } else if self.domain.is_some() && is_bare(*takes) {
             format!("--domain is about segments; `{name}` works on points alone")
         } else if self.input.is_none() && self.reading.is_given() {
             "--from and --columns are about INPUT, and none is named".to_owned()

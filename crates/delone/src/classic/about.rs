@@ -36,6 +36,8 @@ pub enum Takes {
     Triangulation,
     /// Points and segments.
     Domain,
+    /// Points that are no vertices, but data to be covered.
+    Data,
 }
 
 impl About {
@@ -45,7 +47,7 @@ impl About {
             let algorithm = self.name;
             Err(Error::NotTaken { algorithm, what })
         };
-        if self.takes == Takes::Points && !input.pslg.segments.is_empty() {
+        if matches!(self.takes, Takes::Points | Takes::Data) && !input.pslg.segments.is_empty() {
             return refuse("segments");
         }
         if self.takes != Takes::Triangulation && !input.start.is_empty() {

@@ -17,6 +17,9 @@ pub struct Input<'w> {
     pub seed: u64,
     /// For refinement.
     pub quality: Quality,
+    /// For algorithms that cover data: how many each triangle is to hold at least. The default is 6, enough for
+    /// polynomials of degree 2.
+    pub least: usize,
     /// Who may stop it.
     pub watch: &'w dyn Watch,
 }
@@ -35,6 +38,7 @@ impl Input<'_> {
             start: Vec::new(),
             seed: 0,
             quality: Quality::default(),
+            least: 6,
             watch: &(),
         }
     }

@@ -30,6 +30,7 @@ mod bowyer_watson;
 mod cline_renka;
 mod conflicts;
 mod convex_hull;
+mod covering;
 mod divide;
 mod edge_flip;
 mod flip_list;
@@ -90,6 +91,12 @@ pub enum Algorithm {
     ConvexHull,
     /// The chapter's triangulation, after Cline and Renka.
     ClineRenka,
+    /// The chapter's Algorithm A: clusters in an outer polygon, enough data in every triangle.
+    AlgorithmA,
+    /// The chapter's Algorithm B: vertices on edges.
+    AlgorithmB,
+    /// The chapter's Algorithm C: vertices in triangles that hold too many data.
+    AlgorithmC,
     /// For comparison: Bowyer and Watson's.
     BowyerWatson,
     /// For comparison: Sinclair's sweep circle, points by their distance from the middle.
@@ -114,6 +121,9 @@ impl Algorithm {
         Self::RandomIncremental,
         Self::ConvexHull,
         Self::ClineRenka,
+        Self::AlgorithmA,
+        Self::AlgorithmB,
+        Self::AlgorithmC,
         Self::BowyerWatson,
         Self::SweepCircle,
         Self::Fortune,
@@ -140,6 +150,9 @@ impl Algorithm {
             Self::RandomIncremental => &random_incremental::ABOUT,
             Self::ConvexHull => &convex_hull::ABOUT,
             Self::ClineRenka => &cline_renka::ABOUT,
+            Self::AlgorithmA => &covering::A,
+            Self::AlgorithmB => &covering::B,
+            Self::AlgorithmC => &covering::C,
             Self::BowyerWatson => &bowyer_watson::ABOUT,
             Self::SweepCircle => &sweep_circle::ABOUT,
             Self::Fortune => &fortune::ABOUT,
@@ -162,7 +175,8 @@ impl Algorithm {
     /// input has what this algorithm does not [take](About::takes); of a domain what
     /// [`ConstrainedDelaunay`](crate::ConstrainedDelaunay::triangulate) refuses, crossings included;
     /// [`Error::BadTriangle`], [`Error::BadStart`] name a triangle that is wrong; [`Error::TooManyVertices`] if
-    /// refinement does not end soon; [`Error::Cancelled`].
+    /// refinement does not end soon; for data what [`Cover`](crate::scattered::Cover::cover) refuses;
+    /// [`Error::Cancelled`].
     pub fn observe(
         self,
         input: &Input,
@@ -181,6 +195,9 @@ impl Algorithm {
             Self::RandomIncremental => random_incremental::run(input, observer),
             Self::ConvexHull => convex_hull::run(input, observer),
             Self::ClineRenka => cline_renka::run(input, observer),
+            Self::AlgorithmA => covering::run_a(input, observer),
+            Self::AlgorithmB => covering::run_b(input, observer),
+            Self::AlgorithmC => covering::run_c(input, observer),
             Self::BowyerWatson => bowyer_watson::run(input, observer),
             Self::SweepCircle => sweep_circle::run(input, observer),
             Self::Fortune => fortune::run(input, observer),

@@ -6,7 +6,7 @@ use crate::{Duplicate, Failure, Point, TriangulationHash, VertexId, hash_triangl
 ///
 /// | field | filled by |
 /// |---|---|
-/// | `points`, `duplicates` | all; only [`Thesis`](super::Algorithm::Thesis) adds points |
+/// | `points`, `duplicates` | all; only [`Thesis`](super::Algorithm::Thesis) and those that take data add points |
 /// | `triangles` | all but [`ConvexHull`](super::Algorithm::ConvexHull) |
 /// | `constrained` | all that take segments |
 /// | `hull` | only `ConvexHull` |

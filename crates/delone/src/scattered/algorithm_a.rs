@@ -12,6 +12,19 @@ use super::outline::{Outline, Reduction};
 use super::trial::{Short, Trial, triangulate};
 use crate::{Error, Event, Observer, Point, Stage, TriangleId, VertexId};
 
+/// Its pseudocode.
+pub(crate) const CODE_A: &[&str] = &[
+    "S_A := the hull of the data, blown up, needless corners dropped",
+    "S_I := ∅; T := Delaunay triangulation of S_A",
+    "tria := T if every triangle holds at least d data, else none; misses := 0",
+    "while misses < 3:",
+    "  divide the fullest cluster: S_I has one more center; T := Delaunay triangulation of S_A ∪ S_I",
+    "  if every triangle of T holds at least d data: tria := T, misses := 0",
+    "  else: misses := misses + 1",
+    "if tria is none: shrink the shortest edge of S_A to the point where its neighbours meet; go to 2",
+    "return tria",
+];
+
 /// Runs it: afterwards every triangle holds enough.
 ///
 /// # Errors
@@ -28,7 +41,7 @@ pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(
     loop {
         match best(field, outline.corners(), centers.clone(), options)? {
             Ok(points) => {
-                field.at(11);
+                field.at(9);
                 let triangles = triangulate(outline.corners(), &points)?;
                 field.lay_out([outline.corners(), &points].concat(), &triangles)?;
                 require_filled(field, options.least)?;
@@ -50,20 +63,18 @@ fn best(
 ) -> Result<Result<Vec<Point>, Error>, Error> {
     let least = options.least;
     let mut trial = Trial::begin(field, corners, centers)?;
-    trial.field.at(3);
-    let mut best = match trial.judge(least) {
+    let mut best = match trial.judge(least, [3, 3]) {
         None => Ok(Vec::new()),
         Some(t) => Err(too_empty(trial.field, t, least)),
     };
     let mut misses = 0;
     while options.inner_points && misses < options.misses {
-        trial.field.at(7);
+        trial.field.at(5);
         if !trial.add_center()? {
             break;
         }
         trial.field.advance()?;
-        trial.field.at(8);
-        match trial.judge(least) {
+        match trial.judge(least, [6, 7]) {
             None => (best, misses) = (Ok(trial.inner_points()), 0),
             Some(_) => misses += 1,
         }
@@ -93,7 +104,7 @@ fn too_empty(field: &Field<impl Observer>, t: TriangleId, least: usize) -> Error
 
 /// Makes the outer polygon smaller by a corner.
 fn reduce(field: &mut Field<impl Observer>, outline: &mut Outline) {
-    field.at(12);
+    field.at(8);
     let edge = match outline.reduce() {
         Reduction::Edge(ends) => Some(ends.map(|corner| field.name(VertexId::new(corner)))),
         Reduction::Enclosed => None,

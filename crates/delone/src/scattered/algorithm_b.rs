@@ -4,6 +4,9 @@ use super::Cover;
 use super::field::Field;
 use crate::{Error, Observer};
 
+/// Its pseudocode.
+pub(crate) const CODE_B: &[&str] = &[];
+
 /// Runs it.
 pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(), Error> {
     let _ = (field, options);

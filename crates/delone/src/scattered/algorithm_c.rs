@@ -11,6 +11,17 @@ use crate::{Error, Event, Observer, Point, Stage, TriangleId};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Its pseudocode.
+pub(crate) const CODE_C: &[&str] = &[
+    "order the triangles by the data that they hold, the fullest first; j := 1",
+    "while the j-th triangle holds at least 3d data:",
+    "  if too many of them lie on one or two of its edges: j := j + 1",
+    "  else: find a point t in it that leaves each of the three parts at least d data",
+    "    join t to its corners",
+    "    flip edges around t, where that makes angles larger and leaves d data on both sides",
+    "    order the triangles anew; j := 1",
+];
+
 /// Runs it, and returns which triangles hold more than 3d − 1 data, ascending, and why.
 ///
 /// # Errors
@@ -58,7 +69,7 @@ fn divide(field: &mut Field<impl Observer>, t: TriangleId, options: &Cover) -> R
     let v = field.divide_triangle(t, opening.at, &opening.shares)?;
     field.advance()?;
     if options.optimizes {
-        field.at(7);
+        field.at(6);
         field.optimize(v, least)?;
     }
     Ok(true)

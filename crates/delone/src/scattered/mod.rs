@@ -36,5 +36,8 @@ mod sheet;
 mod stock;
 mod trial;
 
+pub(crate) use algorithm_a::CODE_A;
+pub(crate) use algorithm_b::CODE_B;
+pub(crate) use algorithm_c::CODE_C;
 pub use cover::{Cover, cover};
 pub use result::{Cause, DataTriangulation, Exception};

@@ -121,16 +121,19 @@ impl<'f, 'a, O: Observer> Trial<'f, 'a, O> {
         Ok(near)
     }
 
-    /// Returns a triangle that cannot hold enough, if there is one.
-    pub fn judge(&mut self, least: usize) -> Option<TriangleId> {
+    /// Returns a triangle that cannot hold enough, if there is one; tells which in one of two lines of pseudocode, the
+    /// first if all can.
+    pub fn judge(&mut self, least: usize, [good, bad]: [u16; 2]) -> Option<TriangleId> {
         let found = self.short.settle(self.field, least);
         let field = &mut *self.field;
         match found {
             Some(t) => {
+                field.at(bad);
                 let (triangle, data) = (field.names(t), field.stock.count(t) as u32);
                 field.tell(|| Event::CoverRejected { triangle, data });
             }
             None => {
+                field.at(good);
                 let triangles = field.draft.mesh.triangles().count() as u32;
                 field.tell(|| Event::CoverAccepted { triangles });
             }

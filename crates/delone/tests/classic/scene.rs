@@ -210,6 +210,7 @@ proptest! {
     ) {
         let algorithm = Algorithm::ALL[algorithm];
         let about = algorithm.about();
+        prop_assume!(about.takes != Takes::Data);
         prop_assume!(about.takes != Takes::Domain || !about.is_delaunay);
         let input = Input::from_points(Kind::ALL[kind].points(n, seed));
         let (_, log) = run(algorithm, &input);

@@ -87,8 +87,9 @@ pub fn sorted(triangles: impl Iterator<Item = [VertexId; 3]>) -> Vec<[VertexId; 
 }
 
 /// Points alone say too little to it: its own tests know what it is to be asked.
-fn wants_a_domain(algorithm: Algorithm) -> bool {
-    algorithm.about().takes == Takes::Domain && algorithm.about().is_delaunay
+fn wants_more(algorithm: Algorithm) -> bool {
+    let about = algorithm.about();
+    about.takes == Takes::Data || about.takes == Takes::Domain && about.is_delaunay
 }
 
 /// Runs all algorithms that take points, and compares them with the engine.
@@ -96,7 +97,7 @@ fn check_all(points: &[Point]) {
     let expected = triangulate(points.iter().copied()).expect("finite points");
     for &algorithm in Algorithm::ALL {
         let about = algorithm.about();
-        if wants_a_domain(algorithm) {
+        if wants_more(algorithm) {
             continue;
         }
         let (output, _) = run(algorithm, &Input::from_points(points.iter().copied()));
@@ -159,7 +160,7 @@ fn check_hashes(name: &str, points: &[Point]) {
     let expected = triangulate(points.iter().copied()).expect("finite points");
     let input = Input::from_points(points.iter().copied());
     let all = Algorithm::ALL.iter().filter(|a| a.about().is_delaunay);
-    for algorithm in all.filter(|&&algorithm| !wants_a_domain(algorithm)) {
+    for algorithm in all.filter(|&&algorithm| !wants_more(algorithm)) {
         let output = algorithm.run(&input).expect("finite points");
         let about = algorithm.about();
         assert_eq!(output.hash(), expected.hash(), "{} on {name}", about.name);
@@ -196,7 +197,7 @@ fn every_line_of_pseudocode_runs() {
     let points = Kind::ALL.into_iter().flat_map(|kind| kind.points(8, 3));
     let inputs = [points.collect::<Vec<_>>(), Kind::ALL[0].points(40, 1)];
     let all = Algorithm::ALL.iter().copied();
-    for algorithm in all.filter(|&algorithm| !wants_a_domain(algorithm)) {
+    for algorithm in all.filter(|&algorithm| !wants_more(algorithm)) {
         let about = algorithm.about();
         let mut ran = vec![false; about.code.len() + 1];
         for points in &inputs {
