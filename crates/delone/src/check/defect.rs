@@ -28,7 +28,8 @@ impl fmt::Display for Corner {
     }
 }
 
-/// One reason why triangles are not the canonical Delaunay triangulation of some points, or of a domain.
+/// One reason why triangles are not the canonical Delaunay triangulation of some points or of a domain, or
+/// not the cover of some data.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Defect {
@@ -123,7 +124,7 @@ pub enum Defect {
     },
     /// The boundary is not one closed cycle: there are holes or parts.
     #[error(
-        "the edges with one triangle form {cycles} cycles, but the hull is one: \
+        "the edges with one triangle form {cycles} cycles, but the border is one: \
         there are holes or separate parts"
     )]
     BoundaryCycles {
@@ -303,6 +304,82 @@ pub enum Defect {
         edge: [Corner; 2],
         /// The triangle.
         triangle: TriangleId,
+    },
+    /// A vertex is in no triangle.
+    #[error("no triangle has vertex {corner}")]
+    IdleVertex {
+        /// The vertex.
+        corner: Corner,
+    },
+    /// The border runs through a vertex more than once.
+    #[error("the border runs through vertex {corner} {times} times")]
+    PinchedBorder {
+        /// The vertex.
+        corner: Corner,
+        /// How often.
+        times: usize,
+    },
+    /// Two edges of the border cross or overlap.
+    #[error("edges {} and {} of the border cross or overlap", list(&.edges[0]), list(&.edges[1]))]
+    CrossingBorder {
+        /// The ends of each.
+        edges: [[Corner; 2]; 2],
+    },
+    /// A vertex lies inside an edge of the border.
+    #[error("vertex {corner} lies inside edge {} of the border", list(.edge))]
+    VertexOnBorder {
+        /// The vertex.
+        corner: Corner,
+        /// The edge.
+        edge: [Corner; 2],
+    },
+    /// Not every datum has a holder, or there are holders of nothing.
+    #[error("there are {data} data, but {holders} holders")]
+    HolderCount {
+        /// Number of data.
+        data: usize,
+        /// Number of holders.
+        holders: usize,
+    },
+    /// A datum is held by a triangle that does not exist.
+    #[error("datum {datum} is held by triangle {}, but there are {triangles} triangles", .holder.raw())]
+    HolderOutOfRange {
+        /// Index of the datum.
+        datum: usize,
+        /// The triangle named.
+        holder: TriangleId,
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// A datum does not lie in the closed triangle that holds it, or it is not finite.
+    #[error("datum {datum} ({:?}, {:?}) does not lie in triangle {}, which holds it",
+        .at.x, .at.y, .holder.raw())]
+    OutsideHolder {
+        /// Index of the datum.
+        datum: usize,
+        /// Where it lies.
+        at: Point,
+        /// The triangle.
+        holder: TriangleId,
+    },
+    /// Equal data are held by different triangles.
+    #[error("data {} and {} are equal, but triangles {} and {} hold them",
+        .data[0], .data[1], .holders[0].raw(), .holders[1].raw())]
+    DividedDatum {
+        /// Indices of the data, the lower one first.
+        data: [usize; 2],
+        /// The triangle of each.
+        holders: [TriangleId; 2],
+    },
+    /// A triangle holds too few data.
+    #[error("triangle {} holds {held} data, fewer than {least}", .triangle.raw())]
+    TooFewData {
+        /// The triangle.
+        triangle: TriangleId,
+        /// How many it holds, equal ones once.
+        held: usize,
+        /// How many it must hold.
+        least: usize,
     },
 }
 

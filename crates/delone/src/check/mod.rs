@@ -31,12 +31,14 @@
 //! is wrong, further linear passes look for what a reader would name as the reason.
 //!
 //! [`verify_domain`] does the same for constrained triangulations of domains, refined or not, and
-//! [`verify_quality`] finds the triangles that break bounds, and whether something excuses them. Neighbour
-//! tables read from a file are not checked.
+//! [`verify_quality`] finds the triangles that break bounds, and whether something excuses them.
+//! [`verify_cover`] tests triangulations that are made for data. Neighbour tables read from a file are not
+//! checked.
 
 mod adjacency;
 mod boundary;
 mod certificate;
+mod cover;
 mod defect;
 mod domain;
 mod histogram;
@@ -47,6 +49,7 @@ mod stars;
 mod statistics;
 
 pub use certificate::{Certificate, DomainNumbers, Verdict};
+pub use cover::{CoverCertificate, CoverVerdict, SpecialCase, SpecialCause, verify_cover};
 pub use defect::{Corner, Defect, Defects};
 pub use domain::{
     Asked, Counts, DomainMesh, Encroached, Excuse, QualityVerdict, Unmet, verify_domain,

@@ -7,9 +7,9 @@ use std::collections::{HashMap, HashSet};
 
 /// A place as bits, the same for 0.0 and −0.0. Tables are only asked, never listed, so results do
 /// not depend on their order.
-type Place = [u64; 2];
+pub(super) type Place = [u64; 2];
 
-fn place(p: Point) -> Place {
+pub(super) fn place(p: Point) -> Place {
     [p.x, p.y].map(|c| (c + 0.0).to_bits())
 }
 

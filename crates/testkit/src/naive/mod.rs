@@ -5,7 +5,7 @@
 //! inside its circle, ties broken by the symbolic perturbation; all triples are tried against all
 //! points, O(n⁴). The others build on each other: [`naive_noding`] cuts segments in rational
 //! arithmetic, [`naive_constrained`] decides which triangles see no point in their circles, and
-//! [`naive_domain`] which of them belong to the domain.
+//! [`naive_domain`] which of them belong to the domain. [`naive_sharing`] shares data out among triangles.
 
 mod all;
 mod constrained;
@@ -13,12 +13,14 @@ mod domain;
 mod facts;
 mod noding;
 mod pairs;
+mod sharing;
 
 pub use all::{all_triangulations, compare_angles, compare_least_angles};
 pub use constrained::naive_constrained;
 pub use domain::{NaiveDomain, naive_domain};
 pub use facts::naive_facts;
 pub use noding::{NaiveNoding, naive_first_crossing, naive_noding};
+pub use sharing::{naive_largest_least, naive_sharing, triangles_at};
 
 use delone::predicates::{Orientation, in_circle_perturbed, orient2d};
 use delone::{Point, Triangulation, VertexId};

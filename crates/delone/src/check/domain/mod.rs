@@ -69,6 +69,7 @@ mod found;
 mod graph;
 mod input;
 mod places;
+mod planar;
 mod quality;
 mod rule;
 mod sort;
@@ -77,6 +78,7 @@ mod union;
 
 use super::certificate::DomainNumbers;
 pub use claim::DomainMesh;
+pub(super) use planar::{Meeting, find_meeting};
 pub use quality::{Asked, Counts, Encroached, Excuse, QualityVerdict, Unmet, verify_quality};
 
 use super::{Certificate, Corner, Defect, Defects, Verdict, Verifier, adjacency, require_points};
