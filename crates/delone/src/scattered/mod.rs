@@ -20,7 +20,9 @@
 //!
 //! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
 
+mod open;
 mod result;
 mod share;
 
+pub use open::{Counting, Move, Next, PointSearch, SearchStep, Steps};
 pub use result::{Cause, DataTriangulation, Exception};
