@@ -41,6 +41,9 @@ use parts::Division;
 /// Most data for the exact search.
 const MOST_EXACT: usize = 4096;
 
+/// Most data that are tried themselves.
+const MOST_TRIED: usize = 256;
+
 /// Most data from which a balanced place is looked for; of more, a sample is taken.
 const SAMPLE: usize = 2048;
 
@@ -121,7 +124,8 @@ fn between(a: Point, b: Point, share: f64) -> Point {
     Point::new(mixed(a.x, b.x), mixed(a.y, b.y))
 }
 
-/// The exact search, and what lies near where it ends.
+/// The exact search, and what lies near where it ends; or else one of the data, for on its lines to the
+/// corners others may lie.
 fn searched(division: &Division) -> Option<Point> {
     let Division {
         corners,
@@ -129,6 +133,9 @@ fn searched(division: &Division) -> Option<Point> {
         least,
     } = *division;
     let search = PointSearch::new(corners, data, least, Counting::Unique).ok()?;
-    let found = search.found()?;
-    nearby::places(corners, &found).find(|&at| division.is_good(at))
+    let (place, lines) = search.found()?;
+    let on_lines = lines.map(|datum| datum.map(|datum| data[datum]));
+    let own = &data[..data.len().min(MOST_TRIED)];
+    let mut places = nearby::places(corners, &place, on_lines).chain(own.iter().copied());
+    places.find(|&at| division.is_good(at))
 }

@@ -166,15 +166,23 @@ impl PointSearch {
         d.saturating_mul(d.saturating_mul(2).saturating_add(3))
     }
 
-    /// Searches to the end and returns where the point is found, if it is.
-    pub(super) fn found(mut self) -> Option<Barycentric> {
+    /// Searches to the end and returns where the point is found, if it is, with one of the data on each line
+    /// through a corner and that point, if one lies there.
+    pub(super) fn found(mut self) -> Option<(Barycentric, [Option<usize>; 3])> {
         while let Some(at) = self.at.take() {
-            match self.step(&at) {
-                (_, Next::Found) => return Some(at),
-                (_, _) => continue,
+            if let (_, Next::Found) = self.step(&at) {
+                let lines = [0, 1, 2].map(|k| self.on_line(&at, k));
+                return Some((at, lines));
             }
         }
         None
+    }
+
+    /// Finds a datum on the line through a corner and a point, the corner excepted.
+    fn on_line(&self, at: &Barycentric, corner: usize) -> Option<usize> {
+        let others = [(corner + 1) % 3, (corner + 2) % 3];
+        let lies_there = |p: &Barycentric| !p.is_corner(corner) && at.compare(p, others).is_eq();
+        self.data.iter().position(lies_there)
     }
 
     /// Decides what to do at a point, and does it.

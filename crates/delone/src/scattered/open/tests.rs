@@ -160,6 +160,11 @@ fn data_on_a_line_to_a_corner_choose() {
     assert_opens(corners, &data, 3, &opening);
     // Nothing can be done without the line.
     assert_eq!(open_at(corners, &data, 4), None);
+    // Two on a line through corner 2, and one of them is the only place for which few digits are enough.
+    let steep = [(0.0, 8.0), (0.0, 1.0), (5.0, 0.0)].map(Point::from);
+    let pair = points(&[(0.0, 6.0), (1.0, 6.0), (3.0, 3.0)]);
+    let opening = open_at(steep, &pair, 1).expect("an opening");
+    assert_opens(steep, &pair, 1, &opening);
     // Lines to all three corners, through one point: remark 3.40.
     let star = points(&[
         (8.0, 8.0),
