@@ -11,24 +11,24 @@
 //!
 //! [`PointSearch`] is the search of the text, exact and step by step. [`open_at`] is what triangulations are
 //! made with. It tries, in this order: the center of gravity, as the text does; a [`balanced`] place, in floats,
-//! from which it goes back towards the center as far as data allow; and last the exact search, and points
-//! [`nearby`] where it ends. Whatever is tried is a point with double-precision coordinates, and all tests of it
+//! from which it goes back towards the center as far as data allow; and last the exact search, points
+//! [`nearby`] where it ends, and data. Whatever is tried is a point with double-precision coordinates, and all tests of it
 //! are exact.
 //!
 //! *Cost*: O(m) for m data if the center does, about 10 ns each; O(m log m) in practice for a balanced place, of
 //! which a sample of many data is enough. The exact search is for up to a few thousand data.
 //!
 //! *Does not* find every such point there is: data may be so much on lines through corners that only points
-//! exactly on several of these will do. If two such lines meet in a point that has no such coordinates,
-//! the result is `None`; so it is in triangles a few units in the last place wide.
+//! exactly on such a line will do, or on several. If few or none of these have such coordinates, the result
+//! may be `None`; so it is in triangles a few units in the last place wide. (Of 140,000 triangles and data on
+//! lattices of up to ten times ten, that have a place by [`conditions`], all were opened but three, for
+//! which no multiples of 1/16 do.)
 
 mod balanced;
 mod conditions;
 mod nearby;
 mod parts;
 mod stepwise;
-#[cfg(test)]
-mod tests;
 
 #[cfg_attr(not(test), expect(unused_imports, reason = "for Algorithm C"))]
 pub(super) use conditions::conditions;
@@ -139,3 +139,6 @@ fn searched(division: &Division) -> Option<Point> {
     let mut places = nearby::places(corners, &place, on_lines).chain(own.iter().copied());
     places.find(|&at| division.is_good(at))
 }
+
+#[cfg(test)]
+mod tests;
