@@ -281,6 +281,22 @@ pub(super) fn bisector_place([p, q]: [Point; 2], a: Weighted, b: Weighted) -> Po
     Point::new(x, y)
 }
 
+/// Finds twice the areas of the triangles that `p` makes with the edges opposite each corner, in a common unit,
+/// positive if they turn counter-clockwise.
+pub(super) fn areas(corners: [Point; 3], p: Point) -> [BigInt; 3] {
+    let [a, b, c] = vectors(corners, p);
+    [cross(&b, &c), cross(&c, &a), cross(&a, &b)]
+}
+
+/// Returns the sums of abscissas and of ordinates, each times its weight, in units of a power of two, and its
+/// exponent.
+pub(super) fn weighted_sum(points: [Point; 3], weights: &[BigInt; 3]) -> ([BigInt; 2], i32) {
+    let unit = common_unit(&points).min(1024);
+    let points = points.map(|p| scaled(p, unit));
+    let terms = |k: usize| points.iter().zip(weights).map(move |(p, w)| &p[k] * w);
+    ([terms(0).sum(), terms(1).sum()], unit)
+}
+
 /// Finds the vectors from `origin` to `points`, up to a common factor.
 fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
     let unit = common_unit(&points).min(common_unit(&[origin]));

@@ -21,6 +21,7 @@
 use crate::Point;
 use std::cmp::Ordering;
 
+mod barycentric;
 mod bisector;
 mod bottom;
 mod center;
@@ -37,6 +38,8 @@ mod quotient;
 mod radius;
 pub mod stage;
 
+pub(crate) use barycentric::Barycentric;
+pub use barycentric::ExactPoint;
 pub(crate) use bottom::Bottom;
 pub(crate) use double::Double;
 pub(crate) use filter::{

@@ -40,4 +40,5 @@ pub(crate) use algorithm_a::CODE_A;
 pub(crate) use algorithm_b::CODE_B;
 pub(crate) use algorithm_c::CODE_C;
 pub use cover::{Cover, cover};
+pub use open::{Counting, Move, Next, PointSearch, SearchStep, Steps};
 pub use result::{Cause, DataTriangulation, Exception};
