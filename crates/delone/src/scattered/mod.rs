@@ -20,7 +20,24 @@
 //!
 //! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
 
+#[cfg_attr(not(test), expect(dead_code, reason = "for Algorithm A"))]
+mod centers;
+#[cfg_attr(not(test), expect(dead_code, reason = "for Algorithm A"))]
+mod extent;
+#[cfg_attr(
+    not(test),
+    expect(dead_code, unused_imports, reason = "for Algorithm A")
+)]
+mod outline;
 mod result;
 mod share;
 
 pub use result::{Cause, DataTriangulation, Exception};
+
+/// Points of one of the kit's kinds.
+#[cfg(test)]
+fn samples(kind: delone_testkit::generate::Kind, n: usize, seed: u64) -> Vec<crate::Point> {
+    // The kit knows the library as it is without tests: another type.
+    let points = kind.points(n, seed).into_iter();
+    points.map(|p| crate::Point::new(p.x, p.y)).collect()
+}
