@@ -30,8 +30,8 @@ impl Extent {
         })
     }
 
-    /// Returns the mean of at most 2³² points, of which this is the box. It lies in the box, and is off by no
-    /// more than half a unit in its last place and 2⁻⁹⁰ of the largest coordinate.
+    /// Returns the mean of at most 2³² points, of which this is the box. It lies in the box, and is off by less
+    /// than a unit in its last place and 2⁻⁸⁸ of the largest coordinate.
     pub fn mean(&self, points: impl IntoIterator<Item = Point>) -> Point {
         let mut x = Sum::new([self.low.x, self.high.x]);
         let mut y = Sum::new([self.low.y, self.high.y]);

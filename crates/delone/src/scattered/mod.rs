@@ -22,7 +22,6 @@
 
 #[cfg_attr(not(test), expect(dead_code, reason = "for Algorithm A"))]
 mod centers;
-#[cfg_attr(not(test), expect(dead_code, reason = "for Algorithm A"))]
 mod extent;
 #[cfg_attr(
     not(test),

@@ -9,13 +9,17 @@
 //! ```
 //!
 //! So the polygon grows, exactly, and loses a corner at least. That t is rounded outwards means: into the cone
-//! beyond the exact point, between the two lines.
+//! beyond the exact point, between the two lines. Lines that meet too [far](FARTHEST) away count as parallel.
 //!
 //! *Cost*: O(log h) for a polygon that had h corners, and about 2 µs for the point.
 
 use super::{Outline, Ring};
 use crate::Point;
 use crate::predicates::{Orientation, compare_distances, meeting_of_lines, orient2d};
+
+/// How far a corner may be from the enclosing triangle, by its legs: 2²⁵, half the digits of a number. A rectangle
+/// that is not parallel to the axes has, when rounded, sides that do meet, a billion times as far away: a needle.
+const FARTHEST: f64 = (1_u32 << 25) as f64;
 
 /// What has become of the polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +46,7 @@ impl Outline {
             return None;
         }
         let shortest = self.edges.pop();
-        let found = shortest.and_then(|i| Some((i, outer_meeting(&self.ring, i)?)));
+        let found = shortest.and_then(|i| Some((i, outer_meeting(&self.ring, i, self.enclosing)?)));
         Some(match found {
             Some((i, at)) => self.shrink(i, at),
             None => {
@@ -91,11 +95,15 @@ fn is_strict(ring: &Ring, i: usize) -> bool {
 /// Finds the point where the neighbours of the edge that begins in corner `i` meet, rounded outwards.
 ///
 /// If the nearest points are not in the cone, because it is narrow, the search goes on farther out in it.
-fn outer_meeting(ring: &Ring, i: usize) -> Option<Point> {
+fn outer_meeting(ring: &Ring, i: usize, [origin, x, y]: [Point; 3]) -> Option<Point> {
     let [p, a, b, q] = ring.around(i).map(|k| ring.at(k));
     let meeting = meeting_of_lines([p, a], [q, b])?;
-    let is_beyond = |t: Point| {
+    let farthest = FARTHEST * (x.x - origin.x).max(y.y - origin.y);
+    let is_near =
+        |t: Point| (t.x - origin.x).abs() <= farthest && (t.y - origin.y).abs() <= farthest;
+    let is_wanted = |t: Point| {
         t.is_finite()
+            && is_near(t)
             && orient2d(a, b, t) == Orientation::Right
             && orient2d(p, a, t) != Orientation::Left
             && orient2d(b, q, t) != Orientation::Left
@@ -116,7 +124,7 @@ fn outer_meeting(ring: &Ring, i: usize) -> Option<Point> {
             let [x, y] = outwards.map(|c| reach * c);
             Point::new(meeting.x + x, meeting.y + y)
         })
-        .find_map(|center| nearest_around(center, is_beyond))
+        .find_map(|center| nearest_around(center, is_wanted))
 }
 
 /// Returns the direction of a segment, as a vector of about length one; zero if that overflows.

@@ -164,6 +164,27 @@ fn a_meeting_is_the_exact_one_where_that_can_be_written() {
     assert_contains(&outline.points(), &house.map(Point::from));
 }
 
+/// Rounded, opposite sides of rectangles are parallel or not, as it happens.
+#[test]
+fn rectangles_do_not_become_needles() {
+    let mut met = 0;
+    for angle in (1..200).map(f64::from) {
+        let [u, v] = [(0.3 * angle).cos(), (0.3 * angle).sin()];
+        let corner = |x: f64, y: f64| Point::new(1e3 + u * x - v * y, v * x + u * y);
+        let data = [
+            corner(0.0, 0.0),
+            corner(3.0, 0.0),
+            corner(3.0, 1.0),
+            corner(0.0, 1.0),
+        ];
+        let mut outline = Outline::around(&data, 1.0).expect("room");
+        met += usize::from(shortest(&outline).is_some());
+        assert_eq!(outline.reduce(), Some(Reduction::Enclosed));
+        assert_contains(&outline.points(), &data);
+    }
+    assert!(met > 100, "{met}");
+}
+
 #[test]
 fn the_first_and_the_last_corner_are_neighbours() {
     // Its shortest edge is from the last corner to the first.
