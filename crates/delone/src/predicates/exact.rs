@@ -7,7 +7,7 @@
 use super::Weighted;
 use super::dyadic::Dyadic;
 use super::polynomial::{cross, dot, in_circle_terms};
-use super::quotient::{Root, root_of_quotient, rounded, saturated};
+use super::quotient::{Root, root_of_quotient, saturated};
 use crate::Point;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -218,7 +218,8 @@ fn sign(value: &BigInt) -> Ordering {
     }
 }
 
-/// Finds where two segments that cross properly meet, correctly rounded.
+/// Finds where two lines that are not parallel meet, correctly rounded; a coordinate beyond the largest number
+/// becomes that number.
 pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     let unit = common_unit(&[a, b, c, d]);
     let [a, b, c, d] = [a, b, c, d].map(|p| scaled(p, unit));
@@ -227,7 +228,7 @@ pub(super) fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     let numerator = cross(&between, &other);
     let [x, y] = [0, 1].map(|k| {
         let product = &a[k] * &denominator + &along[k] * &numerator;
-        rounded(&product, &denominator, unit)
+        saturated(&product, &denominator, unit)
     });
     Point::new(x, y)
 }

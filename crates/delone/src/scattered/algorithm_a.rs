@@ -32,33 +32,54 @@ pub(crate) const CODE_A: &[&str] = &[
 /// [`Error::DatumOutside`] if it is not good; [`Error::Cancelled`].
 pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(), Error> {
     field.at(1);
-    let mut outline = match &options.domain {
-        Some(corners) => Outline::of_domain(corners)?,
-        None => Outline::around(&field.data.points, options.factor)?,
+    let mut polygon = match &options.domain {
+        Some(corners) => Polygon::Given(Outline::of_domain(corners)?),
+        None => Polygon::Free(Outline::around(&field.data.points, options.factor)?),
     };
     end(field, Stage::OuterPolygon);
     let centers = Centers::new(&field.data.points);
     loop {
-        match best(field, outline.corners(), centers.clone(), options)? {
-            Ok(points) => {
+        let corners = polygon.corners();
+        let too_empty = match best(field, &corners, centers.clone(), options)? {
+            Ok(inner) => {
                 field.at(9);
-                let triangles = triangulate(outline.corners(), &points)?;
-                field.lay_out([outline.corners(), &points].concat(), &triangles)?;
+                let triangles = triangulate(&corners, &inner)?;
+                field.lay_out([corners, inner].concat(), &triangles)?;
                 require_filled(field, options.least)?;
                 end(field, Stage::Clusters);
                 return Ok(());
             }
-            Err(too_empty) if options.domain.is_some() => return Err(too_empty),
-            Err(_) => reduce(field, &mut outline),
+            Err(too_empty) => too_empty,
+        };
+        match &mut polygon {
+            Polygon::Free(outline) => reduce(field, outline),
+            Polygon::Given(_) => return Err(too_empty),
+        }
+    }
+}
+
+/// What the outer points are.
+enum Polygon {
+    /// The corners of a domain: they stay.
+    Given(Vec<Point>),
+    /// What was laid around the data: it may have fewer corners.
+    Free(Outline),
+}
+
+impl Polygon {
+    fn corners(&self) -> Vec<Point> {
+        match self {
+            Self::Given(corners) => corners.clone(),
+            Self::Free(outline) => outline.points(),
         }
     }
 }
 
 /// Finds the last good triangulation that has these corners, and returns its vertices besides; or why there is none.
-fn best(
-    field: &mut Field<impl Observer>,
+fn best<'a>(
+    field: &mut Field<'a, impl Observer>,
     corners: &[Point],
-    centers: Centers,
+    centers: Centers<'a>,
     options: &Cover,
 ) -> Result<Result<Vec<Point>, Error>, Error> {
     let least = options.least;
@@ -105,8 +126,10 @@ fn too_empty(field: &Field<impl Observer>, t: TriangleId, least: usize) -> Error
 /// Makes the outer polygon smaller by a corner.
 fn reduce(field: &mut Field<impl Observer>, outline: &mut Outline) {
     field.at(8);
-    let edge = match outline.reduce() {
-        Reduction::Edge(ends) => Some(ends.map(|corner| field.name(VertexId::new(corner)))),
+    let numbers: Vec<_> = outline.corners().map(|(number, _)| number).collect();
+    let vertex = |number| VertexId::new(numbers.partition_point(|&other| other < number));
+    let edge = match outline.reduce().expect("bug: a triangle holds all data") {
+        Reduction::Edge { ends, .. } => Some(ends.map(|number| field.name(vertex(number)))),
         Reduction::Enclosed => None,
     };
     field.tell(|| Event::OuterReduced { edge });

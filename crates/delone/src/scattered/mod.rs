@@ -26,6 +26,7 @@ mod algorithm_c;
 mod centers;
 mod cover;
 mod data;
+mod extent;
 mod field;
 mod open;
 mod optimize;
@@ -42,3 +43,11 @@ pub(crate) use algorithm_c::CODE_C;
 pub use cover::{Cover, cover};
 pub use open::{Counting, Move, Next, PointSearch, SearchStep, Steps};
 pub use result::{Cause, DataTriangulation, Exception};
+
+/// Points of one of the kit's kinds.
+#[cfg(test)]
+fn samples(kind: delone_testkit::generate::Kind, n: usize, seed: u64) -> Vec<crate::Point> {
+    // The kit knows the library as it is without tests: another type.
+    let points = kind.points(n, seed).into_iter();
+    points.map(|p| crate::Point::new(p.x, p.y)).collect()
+}

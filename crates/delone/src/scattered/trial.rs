@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) struct Trial<'f, 'a, O> {
     pub field: &'f mut Field<'a, O>,
     corners: usize,
-    centers: Centers,
+    centers: Centers<'a>,
     /// The centers at each place, the one that is a vertex first.
     places: BTreeMap<[u64; 2], Vec<u32>>,
     is_vertex: Vec<bool>,
@@ -26,7 +26,7 @@ impl<'f, 'a, O: Observer> Trial<'f, 'a, O> {
     pub fn begin(
         field: &'f mut Field<'a, O>,
         corners: &[Point],
-        centers: Centers,
+        centers: Centers<'a>,
     ) -> Result<Self, Error> {
         field.at(2);
         field.lay_out(corners.to_vec(), &triangulate(corners, &[])?)?;
@@ -55,17 +55,17 @@ impl<'f, 'a, O: Observer> Trial<'f, 'a, O> {
         let Some(split) = self.centers.split() else {
             return Ok(false);
         };
-        let [old, new] = split.clusters;
+        let [old, new] = split.centers.map(|center| center as u32);
         let cut = split.cut;
         self.field.tell(|| Event::ClusterSplit {
             clusters: [old, new],
             cut,
         });
-        self.tell_moved(old, Some(split.from), Some(split.to[0]));
-        self.tell_moved(new, None, Some(split.to[1]));
-        let near = self.take_out(old, split.from, any)?;
-        self.field.move_vertex(self.vertex(old), split.to[0]);
-        self.create(split.to[1])?;
+        self.tell_moved(old, Some(split.before), Some(split.after[0]));
+        self.tell_moved(new, None, Some(split.after[1]));
+        let near = self.take_out(old, split.before, any)?;
+        self.field.move_vertex(self.vertex(old), split.after[0]);
+        self.create(split.after[1])?;
         self.put_in(old, near)?;
         self.put_in(new, near)?;
         Ok(true)
