@@ -184,3 +184,7 @@ fn first_of_nearest(sites: &Sites, p: Point, known: Site) -> Site {
     let first = found.into_iter().min_by_key(|&w| sites.rank(w));
     first.unwrap_or(known)
 }
+
+#[cfg(test)]
+#[path = "sharing_tests.rs"]
+mod tests;
