@@ -20,7 +20,7 @@
 //!
 //! *Does not* find every such point there is: data may be so much on lines through corners that only points
 //! exactly on such a line will do, or on several. If few or none of these have such coordinates, the result
-//! may be `None`; so it is in triangles a few units in the last place wide. (Of 140,000 triangles and data on
+//! may be `None`; so it is in triangles a few units in the last place wide. (Of 136,700 triangles and data on
 //! lattices of up to ten times ten, that have a place by [`conditions`], all were opened but three, for
 //! which no multiples of 1/16 do.)
 
