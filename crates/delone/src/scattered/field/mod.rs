@@ -95,6 +95,12 @@ impl<'a, O: Observer> Field<'a, O> {
         self.observer.tell(self.line, event);
     }
 
+    /// Tells whether anybody listens.
+    #[inline]
+    pub fn is_watched(&self) -> bool {
+        self.observer.is_watching()
+    }
+
     /// Returns what an observer calls a vertex: data come first.
     #[inline]
     pub fn name(&self, v: VertexId) -> VertexId {
