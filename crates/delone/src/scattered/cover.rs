@@ -104,7 +104,8 @@ impl<'w> Cover<'w> {
         }
     }
 
-    /// Lets Algorithm B try so many places on an edge: N in 3.36, where the chapter names no number. The default is 25.
+    /// Lets Algorithm B try fewer than so many places on a segment: N in 3.36, where the chapter names no number. The
+    /// default is 25.
     pub fn bisections(self, bisections: u32) -> Self {
         Self { bisections, ..self }
     }

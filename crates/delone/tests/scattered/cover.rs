@@ -4,7 +4,7 @@ use delone::predicates::{Orientation, orient2d};
 use delone::scattered::{Cover, DataTriangulation};
 use delone::{Log, Point};
 
-fn random(n: u32, seed: u32) -> Vec<Point> {
+pub fn random(n: u32, seed: u32) -> Vec<Point> {
     let mut state = u64::from(seed) * 2 + 1;
     let mut next = || {
         state = state
@@ -16,7 +16,7 @@ fn random(n: u32, seed: u32) -> Vec<Point> {
 }
 
 /// Each datum lies in the triangle that holds it, and every triangle holds enough.
-fn require(cover: &DataTriangulation) {
+pub fn require(cover: &DataTriangulation) {
     for (&p, holder) in cover.data().iter().zip(cover.holders()) {
         let [a, b, c] = cover.triangles()[holder.index()].map(|v| cover.points()[v.index()]);
         for [from, to] in [[a, b], [b, c], [c, a]] {
@@ -38,7 +38,7 @@ fn require(cover: &DataTriangulation) {
 }
 
 #[test]
-fn random_data_are_covered_and_the_log_can_be_played() {
+pub fn random_data_are_covered_and_the_log_can_be_played() {
     for (n, least) in [(40, 1), (60, 3), (150, 6), (200, 10)] {
         let data = random(n, least);
         let mut log = Log::new("cover", data.clone());
