@@ -20,6 +20,7 @@
 //!
 //! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
 
+mod given;
 mod result;
 mod share;
 
