@@ -2,6 +2,7 @@
 
 mod contour;
 mod interpolants;
+mod local_fits;
 mod natural;
 mod oracle;
 mod support;
