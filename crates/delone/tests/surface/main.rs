@@ -1,6 +1,7 @@
 //! Surfaces, against definitions that are slow and obvious.
 
 mod contour;
+mod franke;
 mod interpolants;
 mod local_fits;
 mod natural;
