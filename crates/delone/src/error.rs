@@ -1,6 +1,6 @@
 //! What can go wrong in the library.
 
-use crate::{Point, VertexId};
+use crate::{Point, TriangleId, VertexId};
 use std::fmt;
 use std::ops::Range;
 
@@ -312,6 +312,16 @@ pub enum Error {
         datum: usize,
         /// Its position.
         at: Point,
+    },
+    /// A datum is said to be held by a triangle that cannot hold it.
+    #[error("datum {datum} is said to be held by triangle {}, {why}", triangle.index())]
+    BadHolder {
+        /// Index of the datum.
+        datum: usize,
+        /// The triangle named.
+        triangle: TriangleId,
+        /// Why it cannot.
+        why: &'static str,
     },
     /// In no triangulation that was tried of the domain that was given all triangles hold enough data.
     #[error(

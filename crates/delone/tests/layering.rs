@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[(&str, &[&str])] = &[
     ("lib", &["*"]),
     ("point", &[]),
-    ("error", &["point", "mesh::VertexId"]),
+    ("error", &["point", "mesh::VertexId", "mesh::TriangleId"]),
     ("watch", &["error"]),
     ("memory", &[]),
     ("parallel", &["error"]),
@@ -223,6 +223,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "pace",
             "nearest",
             "pslg",
+            // Polynomials are fitted to the data that its triangles hold.
+            "scattered",
         ],
     ),
     (

@@ -1,6 +1,7 @@
 //! Oracles and data that only tests use.
 
 pub mod corpus;
+pub mod cover;
 pub mod data;
 pub mod domains;
 pub mod fuzz;

@@ -29,6 +29,7 @@ mod data;
 mod edges;
 mod extent;
 mod field;
+mod given;
 mod open;
 mod optimize;
 mod outline;

@@ -52,6 +52,8 @@ pub enum Cause {
     },
     /// There is such a place, but no point with double-precision coordinates was found in it.
     Resolution,
+    /// Nobody tried: the triangulation was [brought](DataTriangulation::from_parts) as it is.
+    Given,
 }
 
 impl DataTriangulation {

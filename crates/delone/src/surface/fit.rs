@@ -1,5 +1,6 @@
-//! Least squares: the quadratic about a point that comes closest to values around.
+//! Gradients by least squares: the quadratic about a point that comes closest to values around.
 
+use super::least_squares::{LeastSquares, Row};
 use super::number::{Frame, Vector, dot};
 use crate::Point;
 
@@ -9,18 +10,16 @@ const TERMS: usize = 5;
 /// Part of the largest diagonal entry below which a column counts as a combination of those before.
 const LEAST: f64 = 1e-7;
 
-/// Room for the rows of one fit: the terms, and the value.
+/// Room for the rows of one fit.
 #[derive(Default)]
 pub(super) struct Fit {
-    rows: Vec<[f64; TERMS + 1]>,
+    equations: LeastSquares<TERMS>,
 }
 
 impl Fit {
     /// Returns the gradient at `p` of the quadratic through the value there that comes closest to the values
     /// `around`, weighted by one over the distance; of the plane, if they do not determine a quadratic;
     /// zero if not even that.
-    ///
-    /// By Householder's reflections; normal equations would square the condition.
     pub fn gradient(
         &mut self,
         p: Point,
@@ -28,15 +27,18 @@ impl Fit {
         around: impl Iterator<Item = (Point, f64)> + Clone,
     ) -> [f64; 2] {
         let frame = Frame::alike(p, around.clone().map(|(q, _)| q));
-        self.rows.clear();
-        self.rows.extend(around.map(|(q, other)| {
+        let rows = &mut self.equations.rows;
+        rows.clear();
+        rows.extend(around.map(|(q, other)| {
             let [x, y]: Vector<f64> = frame.vector(q);
             let weight = 1.0 / dot([x, y], [x, y]).sqrt();
-            [x, y, x * x, x * y, y * y, other - value].map(|c| c * weight)
+            let terms = [x, y, x * x, x * y, y * y].map(|c| c * weight);
+            let value = (other - value) * weight;
+            Row { terms, value }
         }));
-        let rows = self.rows.clone();
+        let rows = rows.clone();
         let solution = self.solve(TERMS).or_else(|| {
-            self.rows = rows;
+            self.equations.rows = rows;
             self.solve(2)
         });
         let [x, y, ..] = solution.unwrap_or_default();
@@ -45,46 +47,14 @@ impl Fit {
 
     /// Solves for the first `terms` coefficients, if they are determined; the rows are used up.
     fn solve(&mut self, terms: usize) -> Option<[f64; TERMS]> {
-        if self.rows.len() < terms {
+        if self.equations.rows.len() < terms {
             return None;
         }
-        let mut diagonal = [0.0; TERMS];
-        for (k, entry) in diagonal.iter_mut().enumerate().take(terms) {
-            *entry = self.reflect(k);
-        }
+        let diagonal = self.equations.reduce(terms);
         let largest = diagonal.iter().fold(0.0, |m: f64, d| m.max(d.abs()));
         // False for NaN, too.
         let is_determined = diagonal[..terms].iter().all(|d| d.abs() > LEAST * largest);
-        is_determined.then(|| self.substitute(terms, diagonal))
-    }
-
-    /// Reflects the rows from `k` on so that column `k` vanishes below the diagonal; returns what stands on it.
-    fn reflect(&mut self, k: usize) -> f64 {
-        let rows = &mut self.rows[k..];
-        let norm = rows.iter().map(|row| row[k] * row[k]).sum::<f64>().sqrt();
-        let diagonal = if rows[0][k] > 0.0 { -norm } else { norm };
-        rows[0][k] -= diagonal;
-        let squared: f64 = rows.iter().map(|row| row[k] * row[k]).sum();
-        if squared > 0.0 {
-            for column in k + 1..=TERMS {
-                let along: f64 = rows.iter().map(|row| row[k] * row[column]).sum();
-                let factor = 2.0 * along / squared;
-                rows.iter_mut()
-                    .for_each(|row| row[column] -= factor * row[k]);
-            }
-        }
-        diagonal
-    }
-
-    /// Solves the triangular system that is left.
-    fn substitute(&self, terms: usize, diagonal: [f64; TERMS]) -> [f64; TERMS] {
-        let mut solution = [0.0; TERMS];
-        for k in (0..terms).rev() {
-            let row = &self.rows[k];
-            let known: f64 = (k + 1..terms).map(|j| row[j] * solution[j]).sum();
-            solution[k] = (row[TERMS] - known) / diagonal[k];
-        }
-        solution
+        is_determined.then(|| self.equations.substitute(terms, diagonal))
     }
 }
 

@@ -34,11 +34,12 @@ impl Default for Cursor {
     }
 }
 
-/// A surface through values at the vertices of a triangulation.
+/// A surface that can be asked anywhere.
 ///
-/// At a vertex the value is that vertex's, to the last bit; on the border of the triangles only the two
-/// ends of the edge count; outside there is none. Values are rounded, yet depend on nothing but triangulation, values and point: not on the order of questions,
-/// nor on threads.
+/// It goes through values at the vertices of a triangulation: there the value is that vertex's, to the last bit, and
+/// on the border of the triangles only the two ends of the edge count. [`LocalFits`](super::LocalFits) alone, asked in
+/// the same way, only comes near to its values. Outside there is none. Values are rounded, yet depend on nothing but
+/// triangulation, values and point: not on the order of questions, nor on threads.
 pub trait Interpolant: Sync {
     /// Returns the value at a point; `None` outside, and for coordinates that are not finite.
     ///

@@ -196,22 +196,29 @@ fn power_below(half: f64) -> f64 {
 /// triangle that is 2⁶⁰ times as long as wide, less wide than coordinates are exact, only two corners
 /// count, between which the point is.
 pub(super) fn shares(corners: [Point; 3], at: Point) -> [f64; 3] {
+    shares_of_areas(corners, at, |area| area.max(0.0)).unwrap_or_else(|| shares_along(corners, at))
+}
+
+/// As [`shares`], but negative for corners whose opposite edge has the point beyond it. `None` if the triangle is
+/// less than 2⁻⁶⁰ as large as what reaches from it to the point, or as wide as it is long.
+pub(super) fn signed_shares(corners: [Point; 3], at: Point) -> Option<[f64; 3]> {
+    shares_of_areas(corners, at, |area| area)
+}
+
+/// Returns shares by the areas, of each of which `part` counts.
+fn shares_of_areas(corners: [Point; 3], at: Point, part: impl Fn(f64) -> f64) -> Option<[f64; 3]> {
     const LEAST: f64 = 1.0 / (1_u64 << 60) as f64;
     let frame = Frame::by_axis(at, corners.into_iter());
     let vectors: [Vector<f64>; 3] = corners.map(|c| frame.vector(c));
-    let areas = areas(vectors);
+    let areas = areas(vectors).map(&part);
     let sum: f64 = areas.iter().sum();
     // The vectors are of the size of 1: so is what cancels in the areas.
     if sum > 0.03 {
-        return areas.map(|area| area / sum);
+        return Some(areas.map(|area| area / sum));
     }
-    let areas = self::areas::<Double>(corners.map(|c| frame.vector(c)));
+    let areas = self::areas::<Double>(corners.map(|c| frame.vector(c))).map(&part);
     let sum: f64 = areas.iter().sum();
-    if sum > LEAST {
-        areas.map(|area| area / sum)
-    } else {
-        shares_along(corners, at)
-    }
+    (sum > LEAST).then(|| areas.map(|area| area / sum))
 }
 
 /// Returns shares of the two corners between which a point is, on a line as far as can be told.
@@ -231,7 +238,7 @@ fn shares_along(corners: [Point; 3], at: Point) -> [f64; 3] {
 }
 
 fn areas<N: Number>([u, v, w]: [Vector<N>; 3]) -> [f64; 3] {
-    [cross(v, w), cross(w, u), cross(u, v)].map(|area| area.value().max(0.0))
+    [cross(v, w), cross(w, u), cross(u, v)].map(Number::value)
 }
 
 /// Tells how far a point on the segment from `a` to `b` is along it, from 0 to 1.
@@ -297,6 +304,17 @@ mod tests {
         require(flat, (1e299, 1e299), [0.9, 0.1, 0.0]);
         let line = [(0.0, 0.0), (4e307, 4e307), (1e-300, 0.0)];
         require(line, (1e307, 1e307), [0.0, 0.25, 0.75]);
+    }
+
+    #[test]
+    fn signed_shares_go_beyond_the_edges() {
+        let corners = [(1e6, 1e6), (1e6 + 1e-3, 1e6), (1e6, 1e6 + 1e-3)].map(Point::from);
+        let [a, b, c] = signed_shares(corners, Point::new(1e6 + 4.0, 1e6 - 2.0)).expect("shares");
+        let unit = 1e6 + 1e-3 - 1e6; // a thousandth as it is there
+        let is_near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
+        assert!(is_near(b, 4.0 / unit) && is_near(c, -2.0 / unit));
+        assert!(is_near(a, 1.0 - 2.0 / unit));
+        assert_eq!(signed_shares(corners, Point::new(-1e30, 0.0)), None);
     }
 
     #[test]

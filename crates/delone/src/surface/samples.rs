@@ -1,7 +1,7 @@
 //! Values at the vertices of a triangulation.
 
 use super::Ground;
-use crate::{Error, Triangulation, VertexId};
+use crate::{Duplicate, Error, Triangulation, VertexId};
 
 /// A value at every vertex: what all surfaces interpolate.
 #[derive(Clone, Debug)]
@@ -20,22 +20,8 @@ impl<'t> Samples<'t> {
     pub fn new(ground: impl Into<Ground<'t>>, values: impl Into<Vec<f64>>) -> Result<Self, Error> {
         let (ground, values) = (ground.into(), values.into());
         let triangulation = ground.triangulation();
-        require_number(values.len(), triangulation, "values")?;
-        if let Some(i) = values.iter().position(|value| !value.is_finite()) {
-            return Err(Error::ValueNotFinite {
-                vertex: VertexId::new(i),
-                given: values[i],
-                what: "value",
-            });
-        }
-        for duplicate in triangulation.duplicates() {
-            let vertices = [duplicate.kept, duplicate.dropped];
-            let [kept, dropped] = vertices.map(|v| values[v.index()]);
-            if kept != dropped {
-                let values = [kept, dropped];
-                return Err(Error::ValuesDiffer { vertices, values });
-            }
-        }
+        let expected = triangulation.points().len();
+        check_values(&values, expected, triangulation.duplicates())?;
         Ok(Self { ground, values })
     }
 
@@ -68,20 +54,54 @@ impl<'t> Samples<'t> {
     }
 }
 
+/// Fails unless there is a finite value for each of so many points, and the same for equal ones.
+pub(super) fn check_values(
+    values: &[f64],
+    expected: usize,
+    duplicates: &[Duplicate],
+) -> Result<(), Error> {
+    require_count(values.len(), expected, "values")?;
+    if let Some(i) = values.iter().position(|value| !value.is_finite()) {
+        return Err(Error::ValueNotFinite {
+            vertex: VertexId::new(i),
+            given: values[i],
+            what: "value",
+        });
+    }
+    for duplicate in duplicates {
+        let vertices = [duplicate.kept, duplicate.dropped];
+        let [kept, dropped] = vertices.map(|v| values[v.index()]);
+        if kept != dropped {
+            let values = [kept, dropped];
+            return Err(Error::ValuesDiffer { vertices, values });
+        }
+    }
+    Ok(())
+}
+
 /// Fails unless there is one of `what` for each point.
 pub(super) fn require_number(
     given: usize,
     triangulation: &Triangulation,
     what: &'static str,
 ) -> Result<(), Error> {
-    match triangulation.points().len() {
-        expected if expected == given => Ok(()),
-        expected => Err(Error::ValuesMissing {
-            given,
-            expected,
-            what,
-        }),
+    require_count(given, triangulation.points().len(), what)
+}
+
+/// Fails unless there are as many of `what` as expected.
+pub(super) fn require_count(
+    given: usize,
+    expected: usize,
+    what: &'static str,
+) -> Result<(), Error> {
+    if given == expected {
+        return Ok(());
     }
+    Err(Error::ValuesMissing {
+        given,
+        expected,
+        what,
+    })
 }
 
 /// Gives equal points, of which only one has become a vertex, the mean of their values, rounded.
@@ -98,11 +118,13 @@ pub(super) fn require_number(
 /// ```
 pub fn average_duplicates(triangulation: &Triangulation, values: &mut [f64]) -> Result<(), Error> {
     require_number(values.len(), triangulation, "values")?;
-    let mut groups: Vec<_> = triangulation
-        .duplicates()
-        .iter()
-        .map(|d| [d.kept, d.dropped])
-        .collect();
+    average(triangulation.duplicates(), values);
+    Ok(())
+}
+
+/// Gives equal points the mean of their values.
+pub(super) fn average(duplicates: &[Duplicate], values: &mut [f64]) {
+    let mut groups: Vec<_> = duplicates.iter().map(|d| [d.kept, d.dropped]).collect();
     groups.sort_unstable();
     for group in groups.chunk_by(|a, b| a[0] == b[0]) {
         let count = (group.len() + 1) as f64;
@@ -113,7 +135,6 @@ pub fn average_duplicates(triangulation: &Triangulation, values: &mut [f64]) -> 
         values[kept] = mean;
         group.iter().for_each(|[_, v]| values[v.index()] = mean);
     }
-    Ok(())
 }
 
 #[cfg(test)]
