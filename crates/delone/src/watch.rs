@@ -31,6 +31,8 @@ pub enum Phase {
     Proximity,
     /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
     Tour,
+    /// Splitting clusters; units are clusters, and fewer may be enough.
+    Cluster,
     /// Verifying a triangulation.
     Check,
     /// Answering queries: where points lie, what is nearest to them.

@@ -21,6 +21,8 @@
 //! *Source*: diploma thesis, Duisburg, about 1998, chapter 3.
 
 mod result;
+mod schreiber;
 mod share;
 
 pub use result::{Cause, DataTriangulation, Exception};
+pub use schreiber::{Cluster, Clustering, Clusters, Errors};
