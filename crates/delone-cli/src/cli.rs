@@ -2,9 +2,9 @@
 
 use crate::exit::{self, Failure};
 use crate::{
-    algorithms::Algorithms, check::Check, contour::Contour, convert::Convert, graph::Graph,
-    info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest, race::Race, sample::Sample,
-    triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
+    algorithms::Algorithms, check::Check, cluster::Cluster, contour::Contour, convert::Convert,
+    graph::Graph, info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest, race::Race,
+    sample::Sample, triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -17,6 +17,7 @@ Examples:
   delone voronoi towns.csv --clip land.geojson -o cells.geojson   what is nearest to each town
   delone contour survey.xyz --interval 10 -o lines.geojson   contour lines; `interpolate`: rasters
   delone graph towns.csv --kind tour -o tour.geojson   a short tour; also trees and other graphs
+  delone cluster towns.csv -n 12 -o groups.csv   twelve groups of points that lie together
   delone info map.poly                        do segments cross or overlap, and where? exactly
   delone check mesh.ele                       is every circle empty? exactly, from the files alone
   delone sample uniform -n 1000000 -o u.npy   a million points to play with
@@ -49,6 +50,7 @@ enum Command {
     Interpolate(Interpolate),
     Contour(Contour),
     Graph(Graph),
+    Cluster(Cluster),
     Info(Info),
     Check(Check),
     Sample(Sample),
@@ -69,6 +71,7 @@ impl Cli {
             Command::Interpolate(command) => command.run(self.quiet),
             Command::Contour(command) => command.run(self.quiet),
             Command::Graph(command) => command.run(self.quiet),
+            Command::Cluster(command) => command.run(self.quiet),
             Command::Info(command) => command.run(self.quiet),
             Command::Check(command) => command.run(self.quiet),
             Command::Sample(command) => command.run(self.quiet),

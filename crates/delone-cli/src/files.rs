@@ -9,8 +9,8 @@ use crate::progress::Progress;
 pub use content::Content;
 use delone::RefinedMesh;
 use delone_io::{
-    Attribute, CellsView, DomainData, Error, Format, Links, MeshView, PictureOptions, PointSet,
-    Relief, ReliefOptions, ReportOptions, Target, WriteOptions,
+    Attribute, CellsView, ClustersView, DomainData, Error, Format, Links, MeshView, PictureOptions,
+    PointSet, Relief, ReliefOptions, ReportOptions, Target, WriteOptions,
 };
 use family::Member;
 pub use input::{Input, Reading};
@@ -232,6 +232,28 @@ impl Writing {
         progress.note(&outputs.losses(points.markers.is_some(), &[]));
         write(outputs, |targets| {
             delone_io::write_points(targets, points, &options, progress)
+        })
+    }
+
+    /// Writes points, pictures of their clusters, and returns the names of the files.
+    pub fn clusters(
+        &self,
+        outputs: &Outputs,
+        points: &PointSet,
+        clusters: &ClustersView<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let options = self.options();
+        progress.note(&outputs.losses(points.markers.is_some(), &[]));
+        write(outputs, |targets| {
+            let targets = targets.iter().cloned();
+            let (pictures, tables): (Vec<_>, Vec<_>) =
+                targets.partition(|target| target.format().is_ok_and(Format::is_picture));
+            let mut written = delone_io::write_points(&tables, points, &options, progress)?;
+            let picture = &options.picture;
+            let drawn = delone_io::write_clusters(&pictures, clusters, picture, progress)?;
+            written.extend(drawn);
+            Ok(written)
         })
     }
 

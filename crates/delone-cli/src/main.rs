@@ -3,6 +3,7 @@
 mod algorithms;
 mod check;
 mod cli;
+mod cluster;
 mod column;
 mod contour;
 mod convert;

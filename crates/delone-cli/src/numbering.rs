@@ -53,6 +53,7 @@ impl Numbering {
                 | Error::SeedOnSegment { .. }
                 | Error::BadSize { .. }
                 | Error::BadWeight { .. }
+                | Error::WeightNotPositive { .. }
                 | Error::ValueNotFinite { .. }
                 | Error::ValuesDiffer { .. }
                 | Error::BadTriangle { .. }
@@ -61,7 +62,10 @@ impl Numbering {
         );
         let is_usage = matches!(
             error,
-            Error::BadLevel { .. } | Error::BadGrid { .. } | Error::NotTaken { .. }
+            Error::BadLevel { .. }
+                | Error::BadGrid { .. }
+                | Error::BadChoice { .. }
+                | Error::NotTaken { .. }
         );
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
@@ -165,6 +169,10 @@ impl Numbering {
                 index: index + base,
                 weight,
             },
+            Error::WeightNotPositive { index, weight } => Error::WeightNotPositive {
+                index: index + base,
+                weight,
+            },
             Error::ValueNotFinite {
                 vertex,
                 given,
@@ -221,7 +229,8 @@ fn culprit(error: &Error) -> Option<usize> {
     match *error {
         Error::NotFinite { index, .. }
         | Error::BadSize { index, .. }
-        | Error::BadWeight { index, .. } => Some(index),
+        | Error::BadWeight { index, .. }
+        | Error::WeightNotPositive { index, .. } => Some(index),
         Error::ValueNotFinite { vertex, .. } => Some(vertex.index()),
         Error::ValuesDiffer { vertices, .. } => Some(vertices[1].index()),
         _ => None,

@@ -343,6 +343,7 @@ fn help_names_every_key_of_the_json_of_queries() {
         ("contour", ""),
         ("graph", "--kind tour"),
         ("graph", "--kind alpha"),
+        ("cluster", "-n 2"),
     ] {
         let help = folder.run(&format!("{command} --help"), 0).stdout;
         let (_, help) = help.split_once("The JSON object").expect("a section");
@@ -368,6 +369,7 @@ fn lines_of_help_fit_a_terminal() {
         "check -h",
         "sample -h",
         "convert -h",
+        "cluster -h",
         "algorithms -h",
         "algorithms show -h",
         "algorithms run -h",

@@ -27,7 +27,8 @@
 //! | `.html` | | | | report |
 //!
 //! [`write_cells`] writes [Voronoi cells](CellsView) to `.geojson`, `.vtu`, `.svg` and `.png`; [`write_links`]
-//! writes [links between points](Links) to tables, `.npy`, `.geojson`, `.svg` and `.png`. [Runs](Recording) of
+//! writes [links between points](Links) to tables, `.npy`, `.geojson`, `.svg` and `.png`; [`write_clusters`] draws
+//! [clusters of points](ClustersView). [Runs](Recording) of
 //! classical algorithms have [log files](LogFormat) of their own, `.json` and `.dlog`; [`write_animation`] shows
 //! them.
 //!
@@ -79,6 +80,7 @@ mod areas;
 mod asc;
 mod cancel;
 mod cells;
+mod clusters;
 mod constraints;
 mod domain;
 mod edge;
@@ -122,6 +124,7 @@ mod write;
 pub use animation::{AnimationOptions, AnimationReport, Pace, ShownSteps, Strip, write_animation};
 pub use areas::read_areas;
 pub use cells::CellsView;
+pub use clusters::{ClustersView, write_clusters};
 pub use constraints::Constraints;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};

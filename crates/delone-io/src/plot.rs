@@ -24,7 +24,7 @@ const TITLE: f32 = 2.2;
 const TEXT: f32 = 1.7;
 
 /// Colours of lines: told apart by people who see red and green alike, too (after Okabe and Ito).
-const COLORS: [Color; 8] = [
+pub(crate) const COLORS: [Color; 8] = [
     Color([0.000, 0.447, 0.698]),
     Color([0.835, 0.369, 0.000]),
     Color([0.000, 0.620, 0.451]),

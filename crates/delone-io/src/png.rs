@@ -221,6 +221,14 @@ fn draw_areas(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     fill_page(areas, scene.view.page, || scene.check())
 }
 
+/// Makes a page on which nothing is drawn yet.
+pub(crate) fn empty_page(page: [f32; 2]) -> Pixmap {
+    let [width, height] = page.map(|v| v as u32);
+    let mut page = Pixmap::new(width, height).expect("bug: the page has a size");
+    page.fill(tiny_skia::Color::WHITE);
+    page
+}
+
 /// Turns areas into pixels; `check` fails if cancelled.
 fn fill_page(
     areas: Accumulator,

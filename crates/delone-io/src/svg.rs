@@ -142,7 +142,7 @@ fn write_image(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
 }
 
 /// Embeds a PNG that fills the page.
-fn write_pixels(
+pub(crate) fn write_pixels(
     out: &mut Output<'_>,
     [width, height]: [f32; 2],
     image: &[u8],

@@ -155,6 +155,16 @@ pub enum Error {
         /// The weight given.
         weight: f64,
     },
+    /// The weight of a point is not a positive finite number.
+    #[error(
+        "the weight of point {index} is {weight}: it must be positive and finite; repair it, or leave the point out"
+    )]
+    WeightNotPositive {
+        /// Index of the point.
+        index: usize,
+        /// The weight given.
+        weight: f64,
+    },
     /// A radius or distance is negative or NaN, or infinite in a query for what lies within it.
     #[error("a radius of {given} cannot be used: it must not be negative, nor infinite in a query")]
     BadRadius {

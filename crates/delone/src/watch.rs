@@ -31,6 +31,8 @@ pub enum Phase {
     Proximity,
     /// Shortening a tour; units are vertices, and nobody knows beforehand how many are looked at again.
     Tour,
+    /// Splitting clusters; units are clusters, and fewer may be enough.
+    Cluster,
     /// Covering data with triangles; units are triangles, and nobody knows beforehand how many it will take: the
     /// total is an estimate.
     Cover,

@@ -13,6 +13,8 @@ enum Part {
     Coordinates,
     Edges,
     Page,
+    /// Points besides something else, which may be points too.
+    Sites,
     /// Something that no other output is.
     Own,
 }
@@ -38,6 +40,7 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
             // This one, and the .poly below, only if there are segments.
             sibling("segments.npy", Part::Edges),
         ],
+        (_, Content::Sites) => vec![whole(Part::Sites)],
         (Format::Npy, _) => vec![whole(Part::Coordinates)],
         (
             Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly,

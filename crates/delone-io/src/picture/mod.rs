@@ -59,7 +59,7 @@ pub(crate) struct EdgeClass {
 }
 
 /// Refuses pictures that are too small or too large.
-fn require_size(file: &str, options: &PictureOptions) -> Result<(), Error> {
+pub(crate) fn require_size(file: &str, options: &PictureOptions) -> Result<(), Error> {
     const SIZES: std::ops::RangeInclusive<u32> = 16..=8192;
     if SIZES.contains(&options.size) {
         return Ok(());

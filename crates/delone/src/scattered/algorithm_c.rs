@@ -4,6 +4,7 @@
 //! again and again. Whether one can depends on it and its data alone: so here it is looked at again only when they have
 //! changed, with the same result.
 
+use super::algorithm_b::divide_at;
 use super::field::Field;
 use super::open::{conditions, open_at};
 use super::{Cause, Cover, Exception};
@@ -37,7 +38,8 @@ pub(super) fn run(
     all.into_iter().for_each(|t| field.stock.touch(t));
     full.update(field, least);
     while let Some(t) = full.next() {
-        if divide(field, t, options)? || relieve(field, t, least) {
+        if divide(field, t, options)? || divide_edge(field, t, options)? || relieve(field, t, least)
+        {
             full.update(field, least);
         } else {
             field.at(3);
@@ -73,6 +75,21 @@ fn divide(field: &mut Field<impl Observer>, t: TriangleId, options: &Cover) -> R
         field.optimize(v, least)?;
     }
     Ok(true)
+}
+
+/// Divides an edge of a triangle on which so many data lie that both halves have enough of them (3.41).
+fn divide_edge(
+    field: &mut Field<impl Observer>,
+    t: TriangleId,
+    options: &Cover,
+) -> Result<bool, Error> {
+    for h in t.half_edges() {
+        if divide_at(field, h, options)? {
+            field.advance()?;
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Lets neighbours have data on the boundary of a triangle, if that helps.

@@ -35,6 +35,7 @@ mod optimize;
 mod outline;
 mod ranking;
 mod result;
+mod schreiber;
 mod share;
 mod sheet;
 mod stock;
@@ -46,6 +47,7 @@ pub(crate) use algorithm_c::CODE_C;
 pub use cover::{Cover, cover};
 pub use open::{Counting, Move, Next, PointSearch, SearchStep, Steps};
 pub use result::{Cause, DataTriangulation, Exception};
+pub use schreiber::{Cluster, Clustering, Clusters, Errors};
 
 /// Points of one of the kit's kinds.
 #[cfg(test)]
