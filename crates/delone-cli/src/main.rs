@@ -6,6 +6,7 @@ mod cli;
 mod column;
 mod contour;
 mod convert;
+mod cover;
 mod domain;
 mod exit;
 mod files;

@@ -58,10 +58,17 @@ impl Numbering {
                 | Error::BadTriangle { .. }
                 | Error::BadStart { .. }
                 | Error::SameSide { .. }
+                | Error::TooFewData { .. }
+                | Error::CollinearData { .. }
+                | Error::DatumOutside { .. }
+                | Error::BadDomain { .. }
         );
         let is_usage = matches!(
             error,
-            Error::BadLevel { .. } | Error::BadGrid { .. } | Error::NotTaken { .. }
+            Error::BadLevel { .. }
+                | Error::BadGrid { .. }
+                | Error::NotTaken { .. }
+                | Error::BadChoice { .. }
         );
         let hint = match error {
             Error::Cancelled => return Failure::Cancelled,
@@ -178,6 +185,10 @@ impl Numbering {
                 vertices: vertices.map(|v| VertexId::new(v.index() + base)),
                 values,
             },
+            Error::DatumOutside { datum, at } => Error::DatumOutside {
+                datum: datum + base,
+                at,
+            },
             Error::BadTriangle {
                 triangle,
                 vertex,
@@ -222,6 +233,7 @@ fn culprit(error: &Error) -> Option<usize> {
         Error::NotFinite { index, .. }
         | Error::BadSize { index, .. }
         | Error::BadWeight { index, .. } => Some(index),
+        Error::DatumOutside { datum, .. } => Some(datum),
         Error::ValueNotFinite { vertex, .. } => Some(vertex.index()),
         Error::ValuesDiffer { vertices, .. } => Some(vertices[1].index()),
         _ => None,

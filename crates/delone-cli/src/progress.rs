@@ -103,6 +103,7 @@ fn label(phase: Phase) -> &'static str {
         Phase::Relax => "relaxing",
         Phase::Proximity => "relating",
         Phase::Tour => "touring",
+        Phase::Cover => "covering",
         Phase::Query => "querying",
         Phase::Interpolate => "evaluating",
         Phase::Contour => "contouring",

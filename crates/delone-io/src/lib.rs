@@ -80,6 +80,7 @@ mod asc;
 mod cancel;
 mod cells;
 mod constraints;
+mod counts;
 mod domain;
 mod edge;
 mod ele;
@@ -123,6 +124,7 @@ pub use animation::{AnimationOptions, AnimationReport, Pace, ShownSteps, Strip, 
 pub use areas::read_areas;
 pub use cells::CellsView;
 pub use constraints::Constraints;
+pub use counts::Counts;
 pub use domain::{DomainData, read_domain};
 pub use error::{Error, Place, Problem};
 pub use format::Format;

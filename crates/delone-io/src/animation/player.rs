@@ -171,6 +171,7 @@ impl<'a> Player<'a> {
         let mut marks = Vec::new();
         match event {
             Event::VertexDeleted { vertex, at } => marks.push(self.dot(vertex, at)),
+            Event::VertexMoved { vertex, from, .. } => marks.push(self.dot(vertex, from)),
             Event::EdgeDeleted { edge } => marks.extend(self.line(Look::Edge, edge)),
             Event::EdgeUnlocked { edge } => marks.extend(self.line(Look::Segment, edge)),
             Event::TriangleDeleted { triangle } => marks.extend(self.face(triangle)),
@@ -332,7 +333,7 @@ fn reversed(event: Event) -> Event {
 /// Lists all points that a log ever shows.
 pub(super) fn points_of(log: &Log) -> Vec<Point> {
     let created = log.steps.iter().filter_map(|step| match step.event {
-        Event::VertexCreated { at, .. } => Some(at),
+        Event::VertexCreated { at, .. } | Event::VertexMoved { to: at, .. } => Some(at),
         _ => None,
     });
     let points = log.points.iter().copied().chain(created);

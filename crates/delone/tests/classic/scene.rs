@@ -96,9 +96,30 @@ fn all_changes() -> (Vec<Event>, Scene) {
         Event::EdgeDeleted { edge: v([3, 2]) },
         Event::EdgeDeleted { edge: v([3, 1]) },
         Event::EdgeDeleted { edge: v([3, 0]) },
+        Event::VertexMoved {
+            vertex: VertexId::new(3),
+            from: Point::new(1.0, 1.0),
+            to: second,
+        },
+        Event::CoverRejected {
+            triangle: v([0, 1, 2]),
+            data: 2,
+        },
+        Event::OuterReduced {
+            edge: Some(v([0, 1])),
+        },
+        Event::OuterReduced { edge: None },
+        Event::CoverAccepted { triangles: 1 },
+        Event::PlaceTried {
+            at: first,
+            counts: [3, 4, 0, 0],
+        },
+        Event::DivisionFailed {
+            triangle: v([0, 1, 2]),
+        },
         Event::VertexDeleted {
             vertex: VertexId::new(3),
-            at: Point::new(1.0, 1.0),
+            at: second,
         },
     ]);
     (events, scene)
