@@ -215,9 +215,9 @@ impl<'a> Player<'a> {
                 let visited = self.triangle(Look::Visited, triangle);
                 return self.keep(visited);
             }
-            Event::SetDivided { cut } | Event::ClusterSplit { cut, .. } => {
-                return self.marks.add(self.pen.cut(Look::Cut, cut));
-            }
+            Event::SetDivided { cut } => return self.marks.add(self.pen.cut(Look::Cut, cut)),
+            // Clusters come and go, and so does what cuts them.
+            Event::ClusterSplit { cut, .. } => vec![self.pen.cut(Look::Cut, cut)],
             Event::StageEnded { .. } => Vec::new(),
             _ => return,
         };

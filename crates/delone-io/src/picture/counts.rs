@@ -83,8 +83,10 @@ impl Bars {
         let step = steps.find(|&step| (most - least) / step <= 7);
         let step = step.unwrap_or(usize::MAX);
         let first = (least / step * step).saturating_add(step);
-        let round = (first..most).step_by(step);
-        let is_apart = |&tick: &usize| 2 * (tick - least) >= step && 2 * (most - tick) >= step;
+        let next = |tick: &usize| tick.checked_add(step);
+        let round = std::iter::successors(Some(first), next).take_while(|&tick| tick < most);
+        let half = step.div_ceil(2);
+        let is_apart = |&tick: &usize| tick - least >= half && most - tick >= half;
         let mut ticks = vec![least];
         ticks.extend(round.filter(is_apart));
         ticks.push(most);

@@ -167,6 +167,29 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
     assert!(refused > events.len());
 }
 
+#[test]
+fn a_vertex_moves_only_while_nothing_hangs_on_it() {
+    let mut scene = Scene::new([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+    let [from, to] = [Point::new(1.0, 0.0), Point::new(2.0, 0.0)];
+    let there = Event::VertexMoved {
+        vertex: VertexId::new(1),
+        from,
+        to,
+    };
+    for edge in [[0, 1], [1, 0], [1, 2]].map(v) {
+        scene.apply(Event::EdgeCreated { edge }).expect("two ends");
+        scene.apply(there).expect_err("the edge would move");
+        scene.apply(Event::EdgeDeleted { edge }).expect("an edge");
+    }
+    scene
+        .apply(there.reversed())
+        .expect_err("it lies elsewhere");
+    scene.apply(there).expect("free");
+    assert_eq!(scene.point(VertexId::new(1)), Some(to));
+    scene.revert(there).expect("still free");
+    assert_eq!(scene.point(VertexId::new(1)), Some(from));
+}
+
 /// So that a log which is no algorithm's cannot ask for more memory than it has steps.
 #[test]
 fn vertices_come_and_go_in_their_order() {
