@@ -35,15 +35,17 @@ The JSON object of --json:
   data_per_triangle
                    min, max and mean
   histogram        pairs: so many data, so many triangles that hold as many
-  data_covered     data that lie in the triangle that holds them, decided exactly once more: all
+  data_covered     data that have been proven, exactly, to lie in the triangle that holds them: all
   too_full         triangles that hold more than 3d - 1
   special_cases    those of them that no vertex can open: triangle, corners with places, data, and the
                    cause: edge (without the data on it fewer than 2d are left), two-edges (that meet in
                    corner; fewer than d are left) or resolution (no number lies where the vertex must)
+  min_angle_degrees, area
+                   smallest angle of a triangle; area of all
   outline          corners of the outer polygon, with what was put on its edges, counter-clockwise
   hash             names the set of triangles: 32 hexadecimal digits, the same on every machine
   threads          threads used; the result is the same for any number
-  seconds          wall time of the phases read, cover, write
+  seconds          wall time of the phases read, cover, check, write
   peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
 
 /// Cover scattered data with triangles that hold between d and 3d - 1 of them each
@@ -52,7 +54,7 @@ The JSON object of --json:
 /// Algorithm A lays a polygon around the data and adds centers of clusters, as many as leave every triangle d
 /// data; B puts vertices on edges; C puts vertices into triangles that still hold 3d or more. Every datum is
 /// held by one triangle, equal data count once. A triangle that holds more than 3d - 1 data, because too many
-/// of them lie on its edges, is named as a special case.
+/// of them lie on its edges, is named as a special case. The result is proven right before it is written.
 ///
 /// Outputs are meshes: .vtu, .ele (.node …) and .geojson with `data`, how many each triangle holds, and
 /// `special`, 1 for special cases, and .npy; .svg and .png show how many data each triangle holds.
@@ -99,7 +101,8 @@ impl Cover {
             })
         })?;
 
-        let found = Found::of(&cover, task.writing.base());
+        let base = task.writing.base();
+        let found = phases.time("check", || Found::of(&cover, base, &progress))?;
         let written = phases.time("write", || {
             self.write(&outputs, &cover, &found, &mut points, &progress)
         })?;

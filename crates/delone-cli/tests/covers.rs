@@ -157,6 +157,8 @@ fn the_json_has_its_keys() {
         "data_covered",
         "too_full",
         "special_cases",
+        "min_angle_degrees",
+        "area",
         "outline",
         "hash",
         "threads",
@@ -199,7 +201,7 @@ fn the_json_has_its_keys() {
         [&number(&per["min"]), &number(&per["max"])]
     );
     assert!(found["outline"].as_array().expect("corners").len() >= 3);
-    for phase in ["read", "cover", "write"] {
+    for phase in ["read", "cover", "check", "write"] {
         assert!(found["seconds"][phase].is_f64(), "{phase}");
     }
 }

@@ -1,10 +1,11 @@
-//! What a cover comes to: its figures, and a second look at who holds what.
+//! What a cover comes to: the figures that the checker has found, who trusts no builder.
 
 use super::histogram;
+use crate::exit::Failure;
 use crate::words::{counted, list};
-use delone::predicates::{Orientation, orient2d};
+use delone::check::{CoverCertificate, verify_cover};
 use delone::scattered::{Cause, DataTriangulation, Exception};
-use delone::{Duplicate, Point, TriangleId, VertexId, hash_triangles};
+use delone::{Error, Point, VertexId, Watch};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -26,6 +27,8 @@ pub struct Found {
     data_covered: usize,
     too_full: usize,
     special_cases: Vec<SpecialCase>,
+    min_angle_degrees: f64,
+    area: f64,
     outline: Vec<Point>,
     hash: String,
     /// The number of the first triangle and vertex.
@@ -57,38 +60,56 @@ struct SpecialCase {
 }
 
 impl Found {
-    /// Counts; triangles and vertices are numbered from `base` on.
-    pub fn of(cover: &DataTriangulation, base: usize) -> Self {
-        let held = cover.counts();
-        let mut histogram = BTreeMap::new();
-        for &count in &held {
-            *histogram.entry(count).or_insert(0) += 1;
+    /// Has the checker prove it right; triangles and vertices are numbered from `base` on.
+    pub fn of(cover: &DataTriangulation, base: usize, watch: &dyn Watch) -> Result<Self, Failure> {
+        let (points, triangles, data) = (cover.points(), cover.triangles(), cover.data());
+        let verdict = verify_cover(
+            points,
+            triangles,
+            data,
+            cover.holders(),
+            cover.least(),
+            watch,
+        );
+        let verdict = verdict.map_err(|error| match error {
+            Error::Cancelled => Failure::Cancelled,
+            other => Failure::NotReached(other.to_string()),
+        })?;
+        match verdict.into_result() {
+            Ok(certificate) => Ok(Self::certified(cover, certificate, base)),
+            Err(defects) => Err(Failure::NotReached(format!(
+                "bug: the triangulation made is wrong, and nothing has been written: {defects}"
+            ))),
         }
-        let histogram: Vec<[usize; 2]> = histogram.into_iter().map(Into::into).collect();
-        let [min, max] = [histogram.first(), histogram.last()];
-        let [min, max] = [min, max].map(|pair| pair.map_or(0, |[count, _]| *count));
+    }
+
+    fn certified(cover: &DataTriangulation, certificate: CoverCertificate, base: usize) -> Self {
+        let histogram = certificate.histogram.into_iter().enumerate();
         let special = |exception| SpecialCase::of(exception, cover, base);
+        let outline = outline(cover.triangles()).into_iter();
         Self {
             data: cover.num_data(),
-            duplicates: cover.duplicates().len(),
-            vertices: cover.points().len(),
-            triangles: held.len(),
+            duplicates: certificate.duplicates,
+            vertices: certificate.vertices,
+            triangles: certificate.triangles,
             least: cover.least(),
             most: cover.most(),
             data_per_triangle: PerTriangle {
-                min,
-                max,
-                mean: cover.num_data() as f64 / held.len().max(1) as f64,
+                min: certificate.fewest,
+                max: certificate.most,
+                mean: certificate.mean,
             },
-            histogram,
-            data_covered: covered(cover),
-            too_full: held.iter().filter(|&&count| count > cover.most()).count(),
-            special_cases: cover.exceptions().iter().map(special).collect(),
-            outline: outline(cover.triangles())
-                .into_iter()
-                .map(|v| cover.points()[v.index()])
+            histogram: histogram
+                .filter(|&(_, often)| often > 0)
+                .map(Into::into)
                 .collect(),
-            hash: hash_triangles(cover.triangles().iter().map(|&t| corners(cover, t))).to_string(),
+            data_covered: certificate.data,
+            too_full: certificate.special.len(),
+            special_cases: cover.exceptions().iter().map(special).collect(),
+            min_angle_degrees: certificate.min_angle,
+            area: certificate.area,
+            outline: outline.map(|v| cover.points()[v.index()]).collect(),
+            hash: certificate.hash.to_string(),
             base,
         }
     }
@@ -173,26 +194,6 @@ fn corners(cover: &DataTriangulation, triangle: [VertexId; 3]) -> [Point; 3] {
     triangle.map(|v| cover.points()[v.index()])
 }
 
-/// Counts the different data that lie in the triangle that holds them, boundary included, by the exact signs.
-fn covered(cover: &DataTriangulation) -> usize {
-    let mut is_duplicate = vec![false; cover.data().len()];
-    for Duplicate { dropped, .. } in cover.duplicates() {
-        is_duplicate[dropped.index()] = true;
-    }
-    let holds = |(&p, &t): (&Point, &TriangleId)| {
-        let [a, b, c] = corners(cover, cover.triangles()[t.index()]);
-        let sides = [[a, b], [b, c], [c, a]];
-        sides
-            .iter()
-            .all(|&[from, to]| orient2d(from, to, p) != Orientation::Right)
-    };
-    let data = cover.data().iter().zip(cover.holders());
-    let different = data
-        .zip(is_duplicate)
-        .filter(|(_, is_duplicate)| !is_duplicate);
-    different.filter(|&(datum, _)| holds(datum)).count()
-}
-
 /// Lists the vertices of the border once around, from the one of lowest number.
 fn outline(triangles: &[[VertexId; 3]]) -> Vec<VertexId> {
     let sides = |&[a, b, c]: &[VertexId; 3]| [[a, b], [b, c], [c, a]];
@@ -230,7 +231,7 @@ mod tests {
         let lattice = (0..100).map(|i| (f64::from(i % 10), f64::from(i / 10)));
         let twice = lattice.clone().chain(lattice.take(7));
         let cover = delone::scattered::cover(twice, 5).expect("enough data");
-        let found = Found::of(&cover, 1);
+        let found = Found::of(&cover, 1, &()).expect("right");
         assert_eq!(
             [found.data, found.duplicates, found.data_covered],
             [100, 7, 100]
