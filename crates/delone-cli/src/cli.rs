@@ -3,8 +3,8 @@
 use crate::exit::{self, Failure};
 use crate::{
     algorithms::Algorithms, check::Check, cluster::Cluster, contour::Contour, convert::Convert,
-    graph::Graph, info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest, race::Race,
-    sample::Sample, triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
+    cover::Cover, graph::Graph, info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest,
+    race::Race, sample::Sample, triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -16,6 +16,7 @@ Examples:
   delone nearest towns.csv sites.csv -o near.csv   which town is nearest to each site, how far
   delone voronoi towns.csv --clip land.geojson -o cells.geojson   what is nearest to each town
   delone contour survey.xyz --interval 10 -o lines.geojson   contour lines; `interpolate`: rasters
+  delone cover survey.csv -d 6 -o c.vtu       6 to 17 data in each triangle, to fit something there
   delone graph towns.csv --kind tour -o tour.geojson   a short tour; also trees and other graphs
   delone cluster towns.csv -n 12 -o groups.csv   twelve groups of points that lie together
   delone info map.poly                        do segments cross or overlap, and where? exactly
@@ -49,6 +50,7 @@ enum Command {
     Voronoi(Voronoi),
     Interpolate(Interpolate),
     Contour(Contour),
+    Cover(Cover),
     Graph(Graph),
     Cluster(Cluster),
     Info(Info),
@@ -70,6 +72,7 @@ impl Cli {
             Command::Voronoi(command) => command.run(self.quiet),
             Command::Interpolate(command) => command.run(self.quiet),
             Command::Contour(command) => command.run(self.quiet),
+            Command::Cover(command) => command.run(self.quiet),
             Command::Graph(command) => command.run(self.quiet),
             Command::Cluster(command) => command.run(self.quiet),
             Command::Info(command) => command.run(self.quiet),

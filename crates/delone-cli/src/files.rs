@@ -164,6 +164,11 @@ impl Writing {
         self.size
     }
 
+    /// Returns the number that the first triangle has in files that can number from 1.
+    pub fn base(&self) -> usize {
+        self.one_based.into()
+    }
+
     /// Settles on standard output alone.
     pub fn stdout(&self, content: Content, default: Format) -> Result<Outputs, Failure> {
         let format = self.to.unwrap_or(default);

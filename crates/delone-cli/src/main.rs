@@ -7,6 +7,7 @@ mod cluster;
 mod column;
 mod contour;
 mod convert;
+mod cover;
 mod domain;
 mod exit;
 mod files;

@@ -59,6 +59,10 @@ impl Numbering {
                 | Error::BadTriangle { .. }
                 | Error::BadStart { .. }
                 | Error::SameSide { .. }
+                | Error::TooFewData { .. }
+                | Error::CollinearData { .. }
+                | Error::DatumOutside { .. }
+                | Error::BadDomain { .. }
         );
         let is_usage = matches!(
             error,
@@ -186,6 +190,10 @@ impl Numbering {
                 vertices: vertices.map(|v| VertexId::new(v.index() + base)),
                 values,
             },
+            Error::DatumOutside { datum, at } => Error::DatumOutside {
+                datum: datum + base,
+                at,
+            },
             Error::BadTriangle {
                 triangle,
                 vertex,
@@ -231,6 +239,7 @@ fn culprit(error: &Error) -> Option<usize> {
         | Error::BadSize { index, .. }
         | Error::BadWeight { index, .. }
         | Error::WeightNotPositive { index, .. } => Some(index),
+        Error::DatumOutside { datum, .. } => Some(datum),
         Error::ValueNotFinite { vertex, .. } => Some(vertex.index()),
         Error::ValuesDiffer { vertices, .. } => Some(vertices[1].index()),
         _ => None,

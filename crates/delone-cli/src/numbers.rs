@@ -16,6 +16,14 @@ pub fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Reads a number that is at least 1.
+pub fn at_least_one(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if (1.0..f64::INFINITY).contains(&number) => Ok(number),
+        _ => Err("a number is needed that is at least 1".to_owned()),
+    }
+}
+
 /// Reads a number that is not negative.
 pub fn radius(text: &str) -> Result<f64, String> {
     match text.parse() {
@@ -33,7 +41,7 @@ pub fn several(text: &str) -> Result<Vec<f64>, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{angle, positive, radius, several};
+    use super::{angle, at_least_one, positive, radius, several};
 
     #[test]
     fn bounds_that_make_no_sense_are_refused() {
@@ -45,6 +53,10 @@ mod tests {
         assert_eq!(positive("1e-9"), Ok(1e-9));
         for wrong in ["0", "-1", "NaN", "inf", "1,5"] {
             assert!(positive(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(at_least_one("1"), Ok(1.0));
+        for wrong in ["0.999", "-2", "NaN", "inf", ""] {
+            assert!(at_least_one(wrong).is_err(), "{wrong}");
         }
         assert_eq!(radius("0"), Ok(0.0));
         for wrong in ["-1e-9", "NaN", "inf", ""] {

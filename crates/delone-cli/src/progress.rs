@@ -104,6 +104,7 @@ fn label(phase: Phase) -> &'static str {
         Phase::Proximity => "relating",
         Phase::Tour => "touring",
         Phase::Cluster => "clustering",
+        Phase::Cover => "covering",
         Phase::Query => "querying",
         Phase::Interpolate => "evaluating",
         Phase::Contour => "contouring",

@@ -76,6 +76,15 @@ fn ctrl_c_ends_refinement_soon_and_leaves_no_file() {
     interrupt_again_and_again(&folder, line, "coast.poly");
 }
 
+#[test]
+fn ctrl_c_ends_a_cover_soon_and_leaves_no_file() {
+    let folder = Folder::new();
+    folder.run("sample uniform -n 300000 -o points.npy", 0);
+    let line =
+        "cover points.npy -d 3 -o cover.ele -o cover.vtu --picture cover.png --data-out held.csv";
+    interrupt_again_and_again(&folder, line, "points.npy");
+}
+
 /// Interrupts a command after various times; only its input must be there then.
 fn interrupt_again_and_again(folder: &Folder, line: &str, input: &str) {
     let mut cancelled = 0;

@@ -211,6 +211,7 @@ fn help_and_version_are_0() {
         "check",
         "sample",
         "convert",
+        "cover",
         "algorithms",
         "race",
     ] {
@@ -252,6 +253,7 @@ fn help_names_every_key_of_the_json_of_info_and_check() {
     for (command, line) in [
         ("info", "info points.csv --json"),
         ("check", "check m.ele --json"),
+        ("cover", "cover points.csv -d 2 --json"),
     ] {
         let help = folder.run(&format!("{command} --help"), 0).stdout;
         let (_, help) = help.split_once("The JSON object").expect("a section");
@@ -293,7 +295,7 @@ fn the_examples_of_the_readme_run() {
         .map(|line| line.split('#').next().unwrap_or(line).trim());
     // Samples come first, for others read them.
     let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
-    assert_eq!((samples.len(), others.len()), (2, 16));
+    assert_eq!((samples.len(), others.len()), (2, 17));
     for (name, content) in DATA {
         folder.write(name, content);
     }

@@ -3,7 +3,9 @@
 use crate::points::{read_sibling, resolve, unsupported};
 use crate::six_nodes::Middles;
 use crate::topology::{self, Topology};
-use crate::{Attribute, Constraints, Error, Format, Inherited, PointSet, ReadOptions, Source};
+use crate::{
+    Attribute, Constraints, Counts, Error, Format, Inherited, PointSet, ReadOptions, Source,
+};
 use crate::{ele, node, npy, poly, vtu};
 use delone::{ConstrainedTriangulation, Point, Triangulation, VertexId, Watch};
 
@@ -37,6 +39,8 @@ pub struct MeshView<'a> {
     pub triangle_attributes: &'a [Attribute],
     /// What is constrained, if the mesh is one of a domain.
     pub constraints: Option<&'a Constraints>,
+    /// What triangles hold, if pictures are to show it.
+    pub counts: Option<&'a Counts<'a>>,
     /// Knows neighbours and edges without search, if there is one.
     pub(crate) triangulation: Option<&'a Triangulation>,
     /// Whether triangles are to have six nodes, where that is possible.
@@ -55,6 +59,7 @@ impl<'a> MeshView<'a> {
             markers: None,
             triangle_attributes: &[],
             constraints: None,
+            counts: None,
             triangulation: None,
             is_quadratic: false,
             middles: None,
@@ -87,6 +92,14 @@ impl<'a> MeshView<'a> {
     pub fn with_constraints(self, constraints: &'a Constraints) -> Self {
         Self {
             constraints: Some(constraints),
+            ..self
+        }
+    }
+
+    /// Has pictures show how many data the triangles hold, and the data.
+    pub fn with_counts(self, counts: &'a Counts<'a>) -> Self {
+        Self {
+            counts: Some(counts),
             ..self
         }
     }
@@ -160,6 +173,7 @@ impl<'a> MeshView<'a> {
             )?;
         }
         check("markers", self.markers.map_or(n, <[i32]>::len), n)?;
+        self.counts.map_or(Ok(()), |counts| counts.validate(m))?;
         self.constraints.map_or(Ok(()), |c| c.validate(n, m))
     }
 }

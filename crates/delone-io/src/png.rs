@@ -7,9 +7,8 @@ use crate::picture::accumulate::Accumulator;
 use crate::picture::cells::{CellScene, color_of};
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke as GlyphStroke;
-use crate::picture::legend::legend;
 use crate::picture::sheet::{Shape, Sheet};
-use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
+use crate::picture::{Color, EdgeClass, INK, PAPER, Scene};
 use crate::target::Output;
 use crate::{Error, MeshView, PictureOptions};
 use delone::Watch;
@@ -39,8 +38,8 @@ pub(crate) fn write(
 /// Draws the mesh and its legend.
 pub(crate) fn draw_with_legend(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     let mut page = draw(scene)?;
-    if scene.legend {
-        draw_sheet(&mut page, &legend(scene));
+    if let Some(legend) = scene.sheet_of_legend() {
+        draw_sheet(&mut page, &legend);
     }
     Ok(page)
 }
@@ -129,6 +128,9 @@ pub(crate) fn draw(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     for class in scene.edges()? {
         draw_edges(&mut page, scene, &class, INK)?;
     }
+    if let Some(outlined) = scene.outlined()? {
+        draw_edges(&mut page, scene, &outlined, INK)?;
+    }
     for (lines, color) in scene.segments()? {
         if lines.edges.len() > MANY_LINES {
             draw_many_lines(&mut page, scene, &lines, color)?;
@@ -204,9 +206,7 @@ fn draw_band(page: &mut Pixmap, scene: &Scene<'_>, band: &Band) -> Result<(), Er
 /// Draws the triangles, or bare points: few or millions, at the same cost for each.
 fn draw_areas(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     let mut areas = Accumulator::new(scene.view.page);
-    let colors: Vec<_> = (0..CLASSES)
-        .map(|class| scale((class as f32 + 0.5) / CLASSES as f32))
-        .collect();
+    let colors = scene.colors();
     scene.each_triangle(|corners, class| areas.add(&corners, colors[class]))?;
     if scene.is_bare()
         && let Some((dots, radius)) = scene.dots()

@@ -7,9 +7,8 @@
 use crate::picture::cells::{CellScene, color_of};
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
 use crate::picture::glyphs::Stroke;
-use crate::picture::legend::legend;
 use crate::picture::sheet::{Shape, Sheet};
-use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene, scale};
+use crate::picture::{CLASSES, Color, EdgeClass, INK, PAPER, Scene};
 use crate::png;
 use crate::target::Output;
 use crate::{Error, MeshView, PictureOptions};
@@ -29,11 +28,11 @@ pub(crate) fn write(
 ) -> Result<(), Error> {
     let scene = Scene::new(out.file(), mesh, options, watch)?;
     let [width, height] = scene.view.page;
-    let (n, m) = (mesh.points.len(), mesh.triangles.len());
     out.text(format_args!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
-         <title>{m} triangles over {n} points</title>\n\
+         <title>{}</title>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+        scene.title(),
         PAPER.hex()
     ))?;
     write_drawing(out, &scene)?;
@@ -47,8 +46,8 @@ pub(crate) fn write_drawing(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(
     } else {
         write_shapes(out, scene)?;
     }
-    if scene.legend {
-        write_sheet(out, &legend(scene), &INK.hex())?;
+    if let Some(legend) = scene.sheet_of_legend() {
+        write_sheet(out, &legend, &INK.hex())?;
     }
     Ok(())
 }
@@ -119,6 +118,9 @@ fn write_shapes(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
     for class in scene.edges()? {
         write_edges(out, &class, INK)?;
     }
+    if let Some(outlined) = scene.outlined()? {
+        write_edges(out, &outlined, INK)?;
+    }
     for (lines, color) in scene.segments()? {
         write_edges(out, &lines, color)?;
     }
@@ -156,7 +158,8 @@ pub(crate) fn write_pixels(
 }
 
 fn write_triangles(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error> {
-    let mut paths = vec![String::new(); CLASSES];
+    let colors = scene.colors();
+    let mut paths = vec![String::new(); colors.len()];
     scene.each_triangle(|[a, b, c], class| {
         let path = &mut paths[class];
         push_move(path, a);
@@ -170,12 +173,9 @@ fn write_triangles(out: &mut Output<'_>, scene: &Scene<'_>) -> Result<(), Error>
     out.text(format_args!(
         "<g stroke-width=\"{seam:.2}\" stroke-linejoin=\"round\">\n"
     ))?;
-    for (class, path) in paths
-        .iter()
-        .enumerate()
-        .filter(|(_, path)| !path.is_empty())
-    {
-        let color = scale((class as f32 + 0.5) / CLASSES as f32).hex();
+    let classes = colors.into_iter().zip(&paths);
+    for (color, path) in classes.filter(|(_, path)| !path.is_empty()) {
+        let color = color.hex();
         out.text(format_args!(
             "<path fill=\"{color}\" stroke=\"{color}\" d=\""
         ))?;

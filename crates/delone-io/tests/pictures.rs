@@ -2,7 +2,7 @@
 
 use delone::{DomainRule, Point, Pslg, Region, VertexId, triangulate};
 use delone_io::{
-    Constraints, DomainData, Error, Format, MeshView, PictureOptions, Target, WriteOptions,
+    Constraints, Counts, DomainData, Error, Format, MeshView, PictureOptions, Target, WriteOptions,
     write_domain, write_mesh,
 };
 use std::path::Path;
@@ -210,4 +210,48 @@ fn a_domain_can_be_drawn_before_it_has_triangles() {
     assert!(pixels.iter().any(|&p| p != [255; 3]));
     let svg = std::fs::read_to_string(&files[1]).expect("written");
     assert!(svg.contains("stroke-width"), "{svg}");
+}
+
+/// A square of two triangles, with data on one of its diagonals, and what each triangle is said to hold.
+fn draw_counts(held: &[usize]) -> Result<(Vec<[u8; 3]>, String), Error> {
+    let points = [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0)].map(Point::from);
+    let triangles = [[0, 1, 2], [0, 2, 3]].map(|t| t.map(VertexId::new));
+    let data: Vec<_> = (1..9)
+        .map(|i| Point::new(f64::from(i), 9.0 - f64::from(i)))
+        .collect();
+    let counts = Counts {
+        held,
+        range: [2, 5],
+        data: &data,
+    };
+    let mesh = MeshView::new(&points, &triangles).with_counts(&counts);
+    let folder = tempfile::tempdir().expect("folder");
+    let files = ["a.png", "a.svg"].map(|name| folder.path().join(name));
+    let targets = files.clone().map(|file| Target::from_arg(file, None));
+    write_mesh(&targets, &mesh, &options(600), &())?;
+    let [png, svg] = files.map(|file| std::fs::read(file).expect("written"));
+    Ok((decode(&png).1, String::from_utf8(svg).expect("text")))
+}
+
+#[test]
+fn counts_are_shown_in_place_of_angles() {
+    let is_red = |p: &[u8; 3]| p[0] > 200 && p[1] < 90 && p[2] < 80;
+    let (few, svg) = draw_counts(&[2, 5]).expect("pictures");
+    assert!(!few.iter().any(is_red), "none holds too many");
+    assert!(svg.contains("<title>2 triangles that hold 8 data</title>"));
+    let (many, svg) = draw_counts(&[2, 6]).expect("pictures");
+    let red = many.iter().filter(|p| is_red(p)).count();
+    assert!(red > many.len() / 10, "half of the square: {red}");
+    assert!(svg.contains("fill=\"#e84"), "{svg}");
+    let (same, _) = draw_counts(&[2, 2]).expect("pictures");
+    assert_ne!(few, same);
+    assert!(few != many, "one more is another colour");
+}
+
+#[test]
+fn counts_that_do_not_fit_are_refused() {
+    for held in [&[][..], &[3], &[3, 4, 5]] {
+        let error = draw_counts(held).expect_err("two triangles").to_string();
+        assert!(error.contains("for 2"), "{error}");
+    }
 }

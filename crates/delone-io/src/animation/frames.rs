@@ -137,8 +137,11 @@ fn ends(log: &Log, shown: ShownSteps) -> Vec<usize> {
 }
 
 fn changes_drawing(event: Event) -> bool {
-    let is_waiting = matches!(event, Event::Pushed { .. } | Event::Popped { .. });
-    event.changes_scene() && !is_waiting
+    let is_unseen = matches!(
+        event,
+        Event::Pushed { .. } | Event::Popped { .. } | Event::DatumReassigned { .. }
+    );
+    event.changes_scene() && !is_unseen
 }
 
 /// Lists how many steps have been played when a stage ends, and at last.

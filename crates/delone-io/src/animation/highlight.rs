@@ -18,6 +18,7 @@ impl Highlight<'_> {
         match event {
             Event::VertexCreated { at, .. } => self.ring_at(Tone::Good, at),
             Event::VertexDeleted { at, .. } => self.ring_at(Tone::Bad, at),
+            Event::VertexMoved { from, to, .. } => self.way(Some(from), Some(to)),
             Event::EdgeCreated { edge } => self.line(Look::Trace(Tone::Good), edge),
             Event::EdgeDeleted { edge } => self.line(Look::Dashed(Tone::Bad), edge),
             Event::EdgeLocked { edge } | Event::TangentFound { edge } => {
@@ -103,6 +104,13 @@ impl Highlight<'_> {
                 self.triangle(Tone::Bad, triangle);
                 self.line(Look::Trace(Tone::Bad), edge);
             }
+            Event::CoverRejected { triangle, data } => {
+                self.triangle(Tone::Bad, triangle);
+                self.counts(triangle, &[data]);
+            }
+            Event::OuterReduced { edge: Some(edge) } => self.line(Look::Trace(Tone::Bad), edge),
+            Event::PlaceTried { at, counts } => self.place(at, counts),
+            Event::DivisionFailed { triangle } => self.triangle(Tone::Bad, triangle),
             Event::PrintFailed { failure } => self.failure(failure),
             Event::TakenBack { from } => self.ring(Tone::Bad, from),
             _ => {}
@@ -176,6 +184,27 @@ impl Highlight<'_> {
         }
         if let Some(at) = to.or(from) {
             self.ring_at(Tone::Asked, at);
+        }
+    }
+
+    /// A place that is tried, and how many data the new triangles would hold there.
+    fn place(&mut self, at: Point, counts: [u32; 4]) {
+        // Beyond the last triangle there are zeros.
+        let number = counts.iter().rposition(|&count| count > 0);
+        let held = &counts[..number.map_or(0, |last| last + 1)];
+        if self.pen.view.holds(at) {
+            self.ring_at(Tone::Asked, at);
+            self.marks.extend(self.pen.numbers(at, held));
+        }
+    }
+
+    /// Numbers in the middle of a triangle.
+    fn counts(&mut self, corners: [VertexId; 3], numbers: &[u32]) {
+        if let Some([a, b, c]) = self.points(corners) {
+            // Divided first, so that no sum overflows.
+            let mean = |a: f64, b: f64, c: f64| a / 3.0 + b / 3.0 + c / 3.0;
+            let middle = Point::new(mean(a.x, b.x, c.x), mean(a.y, b.y, c.y));
+            self.marks.extend(self.pen.numbers(middle, numbers));
         }
     }
 

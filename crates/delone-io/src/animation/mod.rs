@@ -82,7 +82,7 @@ pub enum Pace {
 pub enum ShownSteps {
     /// All.
     All,
-    /// Those that change the drawing. To be looked at, or to wait, is no change.
+    /// Those that change the drawing. To be looked at, to wait, or to count for another triangle is no change.
     Changes,
 }
 

@@ -4,11 +4,16 @@
 //! however far apart the magnitudes of coordinates are.
 
 use super::mark::{Detail, Form, Look, Mark, Spot, spot, tenths};
+use super::panel;
 use crate::picture::View;
+use crate::picture::glyphs;
 use delone::{Cut, Point, Sweep};
 
 /// Radius, as a multiple of the page, from which on only a part of a circle is drawn.
 const FLAT: f64 = 4.0;
+
+/// Size of numbers in the drawing: digits are seven times as high.
+const COUNT: f32 = 2.0;
 
 /// Pieces of such a part.
 const PIECES: i32 = 48;
@@ -89,6 +94,34 @@ impl Pen {
             extent: [2 * half; 2],
         };
         Mark { look, form }
+    }
+
+    /// Numbers above a place, on paper.
+    pub fn numbers(&self, p: Point, numbers: &[u32]) -> Vec<Mark> {
+        let words: Vec<_> = numbers.iter().map(u32::to_string).collect();
+        let text = words.join(" ");
+        if text.is_empty() {
+            return Vec::new();
+        }
+        let size = COUNT * self.detail.unit * self.detail.room.max(0.6);
+        let [x, y] = self.view.place(p);
+        let (width, above) = (glyphs::width(&text, size), 1.3 * self.detail.ring());
+        // On the page, wherever the place is.
+        let [right, _] = self.view.page;
+        let left = (x - width / 2.0)
+            .min(right - width - 3.0 * size)
+            .max(3.0 * size);
+        let base = (y - above).max(10.0 * size);
+        let corner = [left - 2.0 * size, base - 9.0 * size];
+        let form = Form::Bar {
+            corner: spot(corner),
+            extent: spot([width + 4.0 * size, 11.0 * size]),
+        };
+        let paper = Mark {
+            look: Look::Casing,
+            form,
+        };
+        vec![paper, panel::words(Look::Strong, &text, [left, base], size)]
     }
 
     /// The line along which a set is cut, across the drawing.

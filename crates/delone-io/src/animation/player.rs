@@ -171,6 +171,7 @@ impl<'a> Player<'a> {
         let mut marks = Vec::new();
         match event {
             Event::VertexDeleted { vertex, at } => marks.push(self.dot(vertex, at)),
+            Event::VertexMoved { vertex, from, .. } => marks.push(self.dot(vertex, from)),
             Event::EdgeDeleted { edge } => marks.extend(self.line(Look::Edge, edge)),
             Event::EdgeUnlocked { edge } => marks.extend(self.line(Look::Segment, edge)),
             Event::TriangleDeleted { triangle } => marks.extend(self.face(triangle)),
@@ -214,9 +215,9 @@ impl<'a> Player<'a> {
                 let visited = self.triangle(Look::Visited, triangle);
                 return self.keep(visited);
             }
-            Event::SetDivided { cut } | Event::ClusterSplit { cut, .. } => {
-                return self.marks.add(self.pen.cut(Look::Cut, cut));
-            }
+            Event::SetDivided { cut } => return self.marks.add(self.pen.cut(Look::Cut, cut)),
+            // Clusters come and go, and so does what cuts them.
+            Event::ClusterSplit { cut, .. } => vec![self.pen.cut(Look::Cut, cut)],
             Event::StageEnded { .. } => Vec::new(),
             _ => return,
         };
@@ -332,7 +333,7 @@ fn reversed(event: Event) -> Event {
 /// Lists all points that a log ever shows.
 pub(super) fn points_of(log: &Log) -> Vec<Point> {
     let created = log.steps.iter().filter_map(|step| match step.event {
-        Event::VertexCreated { at, .. } => Some(at),
+        Event::VertexCreated { at, .. } | Event::VertexMoved { to: at, .. } => Some(at),
         _ => None,
     });
     let points = log.points.iter().copied().chain(created);

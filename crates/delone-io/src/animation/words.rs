@@ -8,6 +8,7 @@ pub(super) fn words(event: Event) -> &'static str {
     match event {
         Event::VertexCreated { .. } => "a vertex is added",
         Event::VertexDeleted { .. } => "a vertex is removed",
+        Event::VertexMoved { .. } => "a vertex moves",
         Event::EdgeCreated { .. } => "an edge is created",
         Event::EdgeDeleted { .. } => "an edge is deleted",
         Event::EdgeLocked { .. } => "an edge becomes a constraint",
@@ -54,6 +55,12 @@ pub(super) fn words(event: Event) -> &'static str {
         Event::SegmentSplit { .. } => "an edge is divided",
         Event::CircumcenterProposed { .. } => "a circumcenter is proposed",
         Event::CircumcenterRejected { .. } => "the circumcenter is rejected",
+        Event::CoverAccepted { .. } => "every triangle holds enough data",
+        Event::CoverRejected { .. } => "this triangle holds too few data",
+        Event::OuterReduced { edge: Some(_) } => "the outer polygon loses an edge",
+        Event::OuterReduced { edge: None } => "the outer polygon becomes a triangle",
+        Event::PlaceTried { .. } => "would a vertex here leave enough?",
+        Event::DivisionFailed { .. } => "no vertex divides this triangle",
         Event::PrintFailed { failure } => failed(failure),
         Event::StageEnded { stage, .. } => ended(stage),
         Event::TakenBack { .. } => "what follows is taken back",
@@ -113,6 +120,10 @@ fn ended(stage: Stage) -> &'static str {
         Stage::ShortenEdges => "done: long edges are bisected",
         Stage::OpenTriangles => "done: skinny triangles are opened",
         Stage::Repair => "done: repairs",
+        Stage::OuterPolygon => "done: the outer polygon",
+        Stage::Clusters => "done: centers of clusters",
+        Stage::DivideEdges => "done: vertices on edges",
+        Stage::DivideTriangles => "done: vertices in triangles",
         _ => "done: a stage",
     }
 }

@@ -12,13 +12,13 @@ const BARS: usize = 30;
 const MAX_REGIONS: usize = 8;
 
 /// Height of an entry below the scale, in pixels of the usual size.
-const ENTRY: f32 = 32.0;
+pub(super) const ENTRY: f32 = 32.0;
 
 /// Least height of the scale.
 const LEAST_SCALE: f32 = 180.0;
 
 /// Lays the legend out beside the drawing.
-pub(crate) fn legend(scene: &Scene<'_>) -> Sheet {
+pub(super) fn legend(scene: &Scene<'_>) -> Sheet {
     let unit = scene.unit;
     let entries = entries(scene);
     let [corner, extent] = scene.view.drawing;
@@ -69,14 +69,15 @@ fn add_scale(sheet: &mut Sheet, scene: &Scene<'_>, [left, top]: [f32; 2], height
 }
 
 /// Adds a sample and what it means; `y` is the middle of the line.
-fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f32; 2]) {
+pub(super) fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f32; 2]) {
     let width = 30.0 * unit;
     let mut bar = |height: f32, color| sheet.bar([x, y - height / 2.0], [width, height], color);
     match entry.sample {
         Sample::Line(height) => bar(height, INK),
         Sample::Area(color) => bar(16.0 * unit, color),
         Sample::Ring(radius) => sheet.ring([x + width / 2.0, y], radius),
-        Sample::Nothing => {}
+        Sample::Dot(radius) => sheet.disc([x + width / 2.0, y], radius, INK),
+        Sample::Blank | Sample::Nothing => {}
     }
     let indent = match entry.sample {
         Sample::Nothing => 0.0,
@@ -90,18 +91,22 @@ fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f32; 2]) {
 pub(super) const TEXT: f32 = 2.1;
 
 /// A line of the legend below the scale.
-struct Entry {
-    sample: Sample,
-    text: String,
+pub(super) struct Entry {
+    pub sample: Sample,
+    pub text: String,
 }
 
 /// What stands before the text of an entry.
-enum Sample {
+pub(super) enum Sample {
     /// A line of this width.
     Line(f32),
     /// A ring of this radius.
     Ring(f32),
+    /// A dot of this radius.
+    Dot(f32),
     Area(Color),
+    /// Room, but nothing in it.
+    Blank,
     Nothing,
 }
 

@@ -3,12 +3,13 @@
 //! Triangles are coloured by their smallest angle. Edges are drawn thinner and fainter the shorter
 //! they are, and not at all below a few pixels, so that a million triangles show as a map of their
 //! quality; points are dots as long as there is room between them. y points up. What a domain adds is
-//! in [`domain`].
+//! in [`domain`], what data add that the triangles hold, in [`counts`].
 
 pub(crate) mod accumulate;
 mod angle;
 pub(crate) mod cells;
 mod color;
+mod counts;
 pub(crate) mod domain;
 pub(crate) mod glyphs;
 pub(crate) mod legend;
@@ -104,12 +105,38 @@ impl<'a> Scene<'a> {
         };
         for (t, &corners) in mesh.triangles.iter().enumerate() {
             scene.poll(Pass::Angles, t)?;
-            let corners = corners.map(|v| scene.view.normalized(mesh.points[v.index()]));
-            let angle = smallest_angle(corners);
-            let class = (angle / 60.0 * CLASSES as f64) as usize;
-            scene.classes.push(class.min(CLASSES - 1) as u8);
+            let class = match mesh.counts {
+                Some(counts) => counts::class(counts.held[t], counts.range),
+                None => scene.class_of_angle(corners),
+            };
+            scene.classes.push(class);
         }
         Ok(scene)
+    }
+
+    fn class_of_angle(&self, corners: [VertexId; 3]) -> u8 {
+        let corners = corners.map(|v| self.view.normalized(self.mesh.points[v.index()]));
+        let class = (smallest_angle(corners) / 60.0 * CLASSES as f64) as usize;
+        class.min(CLASSES - 1) as u8
+    }
+
+    /// Lists the colours of the classes.
+    pub fn colors(&self) -> Vec<Color> {
+        match self.mesh.counts {
+            Some(_) => (0..=counts::TOO_MANY).map(counts::color).collect(),
+            None => (0..CLASSES)
+                .map(|class| scale((class as f32 + 0.5) / CLASSES as f32))
+                .collect(),
+        }
+    }
+
+    /// Lays out the legend, if there is to be one.
+    pub fn sheet_of_legend(&self) -> Option<sheet::Sheet> {
+        let lay_out = || match self.mesh.counts {
+            Some(held) => counts::legend(self, held),
+            None => legend::legend(self),
+        };
+        self.legend.then(lay_out)
     }
 
     /// Returns the name of the picture, for messages.
@@ -150,7 +177,7 @@ impl<'a> Scene<'a> {
 
     /// Counts what would be drawn one by one.
     pub fn num_shapes(&self) -> usize {
-        let points = self.mesh.points.len();
+        let points = self.dotted().len();
         self.num_triangles().max(points).max(self.num_segments())
     }
 
@@ -241,14 +268,34 @@ impl<'a> Scene<'a> {
 
     /// Returns the points in pixels and the radius of their dots, if there is room for dots.
     pub fn dots(&self) -> Option<(impl Iterator<Item = [f32; 2]> + '_, f32)> {
-        let n = self.mesh.points.len().max(1) as f32;
+        let n = self.dotted().len().max(1) as f32;
         let spacing = (self.view.area() / n).sqrt() / self.unit;
-        let bare = self.is_bare();
-        let radius =
-            (spacing * if bare { 0.3 } else { 0.07 }).clamp(if bare { 0.6 } else { 0.0 }, 4.5);
-        let fits = bare || radius >= 1.3;
+        // What is the subject may be smaller than what is an addition.
+        let (share, least, fits) = if self.is_bare() {
+            (0.3, 0.6, 0.0)
+        } else if self.mesh.counts.is_some() {
+            (0.16, 0.0, 0.55)
+        } else {
+            (0.07, 0.0, 1.3)
+        };
+        let radius = (spacing * share).clamp(least, 4.5);
         let place = |&p: &Point| self.view.place(p);
-        fits.then(|| (self.mesh.points.iter().map(place), radius * self.unit))
+        let dots = || (self.dotted().iter().map(place), radius * self.unit);
+        (radius >= fits).then(dots)
+    }
+
+    /// Returns what may be shown as dots: the data if there are some, else the vertices.
+    fn dotted(&self) -> &[Point] {
+        self.mesh.counts.map_or(self.mesh.points, |held| held.data)
+    }
+
+    /// Says what is shown, for those who cannot see it.
+    pub fn title(&self) -> String {
+        let m = self.mesh.triangles.len();
+        match self.mesh.counts {
+            Some(held) => format!("{m} triangles that hold {} data", held.data.len()),
+            None => format!("{m} triangles over {} points", self.mesh.points.len()),
+        }
     }
 
     /// Returns the share of triangles in each of `N` equal ranges of angle, the largest share as 1.

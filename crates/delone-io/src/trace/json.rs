@@ -146,6 +146,11 @@ struct Places(Vec<Point>);
 
 impl Places {
     fn learn(&mut self, event: Event) {
+        if let Event::VertexMoved { vertex, to, .. } = event
+            && let Some(place) = self.0.get_mut(vertex.index())
+        {
+            *place = to;
+        }
         if let Event::VertexCreated { vertex, at } = event {
             // Others than the next number that is free no algorithm gives.
             if vertex.index() == self.0.len() {

@@ -126,6 +126,15 @@ fn eventful(seed: u64) -> Recording {
         Event::TriangleDeleted { triangle },
         Event::TriangleCreated { triangle },
     ]);
+    let vertex = VertexId::new(start.len());
+    let [from, to] = [Point::new(4.0, 2.0), Point::new(5.0, 1.0)];
+    for event in [
+        Event::VertexCreated { vertex, at: from },
+        Event::VertexMoved { vertex, from, to },
+    ] {
+        scene.apply(event).expect("a vertex that is free");
+        events.push(event);
+    }
     let mut maker = Maker::new(seed);
     maker.vertices = 9;
     maker.wild = false;

@@ -228,10 +228,9 @@ impl Scene {
 
     fn move_vertex(&mut self, v: VertexId, from: Point, to: Point) -> Result<(), &'static str> {
         require(self.point(v) == Some(from), "it lies elsewhere")?;
-        let from_it = [v, VertexId::new(0)]..=[v, VertexId::INFINITE];
-        let is_free = self.edges.range(from_it.clone()).next().is_none()
-            && self.apexes.range(from_it).next().is_none();
-        require(is_free, "an edge hangs on it")?;
+        // Of edges the smaller end comes first, so they must all be looked at.
+        let hangs = self.edges.iter().any(|edge| edge.contains(&v));
+        require(!hangs, "an edge hangs on it")?;
         self.points[v.index()] = to;
         Ok(())
     }

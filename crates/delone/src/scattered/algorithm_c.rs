@@ -99,6 +99,19 @@ fn relieve(field: &mut Field<impl Observer>, t: TriangleId, least: usize) -> boo
     field.stock.count(t) < before
 }
 
+/// Lists the triangles that hold more than 3d − 1 data, ascending, for whoever does not run it.
+pub(super) fn untried(field: &Field<impl Observer>, least: usize) -> Vec<Exception> {
+    let triangles = field.draft.mesh.triangles();
+    let named = triangles.map(|triangle| Exception {
+        triangle,
+        data: field.stock.count(triangle),
+        cause: Cause::Untried,
+    });
+    named
+        .filter(|exception| exception.data >= 3 * least)
+        .collect()
+}
+
 fn exception(field: &Field<impl Observer>, t: TriangleId, least: usize) -> Exception {
     let data: Vec<Point> = field.data_of(t).collect();
     let corners = field.draft.mesh.corners(t);

@@ -194,7 +194,7 @@ impl<'w> Cover<'w> {
         }
         let exceptions = match self.divides_triangles {
             true => algorithm_c::run(field, self)?,
-            false => Vec::new(),
+            false => algorithm_c::untried(field, self.least),
         };
         Ok(result::hand_out(field, self.least, exceptions))
     }

@@ -15,7 +15,7 @@ impl DataTriangulation {
     /// each the triangle that holds it, and how many each triangle is to hold at least.
     ///
     /// Of equal data the first counts, and all must have the same holder. A triangle may hold more than
-    /// 3 `least` − 1; it is then an exception, of the cause [`Cause::Given`].
+    /// 3 `least` − 1; it is then an exception, of the cause [`Cause::Untried`].
     ///
     /// Assumes that triangles which share no edge do not overlap, and share no more than a corner.
     ///
@@ -121,7 +121,7 @@ impl DataTriangulation {
         let exception = |(t, &data)| Exception {
             triangle: TriangleId::new(t),
             data,
-            cause: Cause::Given,
+            cause: Cause::Untried,
         };
         Ok(rich.map(exception).collect())
     }
@@ -261,7 +261,7 @@ mod tests {
         let exception = Exception {
             triangle: TriangleId::new(0),
             data: 3,
-            cause: Cause::Given,
+            cause: Cause::Untried,
         };
         assert_eq!(made.expect("given").exceptions(), [exception]);
     }

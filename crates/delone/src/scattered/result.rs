@@ -52,8 +52,9 @@ pub enum Cause {
     },
     /// There is such a place, but no point with double-precision coordinates was found in it.
     Resolution,
-    /// Nobody tried: the triangulation was [brought](DataTriangulation::from_parts) as it is.
-    Given,
+    /// Nobody tried: Algorithm C did not run, or the triangulation was [brought](DataTriangulation::from_parts) as it
+    /// is.
+    Untried,
 }
 
 impl DataTriangulation {

@@ -10,6 +10,7 @@ pub fn named(event: Event) -> Vec<VertexId> {
     match event {
         Event::VertexCreated { vertex, .. }
         | Event::VertexDeleted { vertex, .. }
+        | Event::VertexMoved { vertex, .. }
         | Event::FrontEntered { vertex, .. }
         | Event::FrontLeft { vertex, .. }
         | Event::PointConsidered { vertex } => vec![vertex],
@@ -27,7 +28,10 @@ pub fn named(event: Event) -> Vec<VertexId> {
         | Event::TriangleConsidered { triangle }
         | Event::TriangleVisited { triangle }
         | Event::InsideTested { triangle, .. }
+        | Event::CoverRejected { triangle, .. }
+        | Event::DivisionFailed { triangle }
         | Event::CircumcenterProposed { triangle, .. } => triangle.to_vec(),
+        Event::OuterReduced { edge } => edge.into_iter().flatten().collect(),
         Event::EdgeFlipped { from, to } => [from, to].concat(),
         Event::Pushed { item, .. } | Event::Popped { item, .. } => of_item(item),
         Event::PointLocated { vertex, at } => with(at.map_or(Vec::new(), of_item), vertex),
@@ -49,6 +53,8 @@ pub fn named(event: Event) -> Vec<VertexId> {
         | Event::ClusterSplit { .. }
         | Event::ConflictsCounted { .. }
         | Event::SetDivided { .. }
+        | Event::CoverAccepted { .. }
+        | Event::PlaceTried { .. }
         | Event::StageEnded { .. } => Vec::new(),
         other => panic!("which vertices does it name? {other:?}"),
     }

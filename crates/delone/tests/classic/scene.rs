@@ -96,9 +96,30 @@ fn all_changes() -> (Vec<Event>, Scene) {
         Event::EdgeDeleted { edge: v([3, 2]) },
         Event::EdgeDeleted { edge: v([3, 1]) },
         Event::EdgeDeleted { edge: v([3, 0]) },
+        Event::VertexMoved {
+            vertex: VertexId::new(3),
+            from: Point::new(1.0, 1.0),
+            to: second,
+        },
+        Event::CoverRejected {
+            triangle: v([0, 1, 2]),
+            data: 2,
+        },
+        Event::OuterReduced {
+            edge: Some(v([0, 1])),
+        },
+        Event::OuterReduced { edge: None },
+        Event::CoverAccepted { triangles: 1 },
+        Event::PlaceTried {
+            at: first,
+            counts: [3, 4, 0, 0],
+        },
+        Event::DivisionFailed {
+            triangle: v([0, 1, 2]),
+        },
         Event::VertexDeleted {
             vertex: VertexId::new(3),
-            at: Point::new(1.0, 1.0),
+            at: second,
         },
     ]);
     (events, scene)
@@ -144,6 +165,29 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
         scene.apply(events[i]).expect("in order");
     }
     assert!(refused > events.len());
+}
+
+#[test]
+fn a_vertex_moves_only_while_nothing_hangs_on_it() {
+    let mut scene = Scene::new([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+    let [from, to] = [Point::new(1.0, 0.0), Point::new(2.0, 0.0)];
+    let there = Event::VertexMoved {
+        vertex: VertexId::new(1),
+        from,
+        to,
+    };
+    for edge in [[0, 1], [1, 0], [1, 2]].map(v) {
+        scene.apply(Event::EdgeCreated { edge }).expect("two ends");
+        scene.apply(there).expect_err("the edge would move");
+        scene.apply(Event::EdgeDeleted { edge }).expect("an edge");
+    }
+    scene
+        .apply(there.reversed())
+        .expect_err("it lies elsewhere");
+    scene.apply(there).expect("free");
+    assert_eq!(scene.point(VertexId::new(1)), Some(to));
+    scene.revert(there).expect("still free");
+    assert_eq!(scene.point(VertexId::new(1)), Some(from));
 }
 
 /// So that a log which is no algorithm's cannot ask for more memory than it has steps.
