@@ -39,6 +39,14 @@ pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(
     end(field, Stage::OuterPolygon);
     let centers = Centers::new(&field.data.points);
     loop {
+        if let Polygon::Free(outline) = &mut polygon {
+            while !field.is_watched()
+                && is_hopeless(outline, field.data.points.len(), options.least)
+            {
+                reduce(field, outline);
+                field.spend(8)?;
+            }
+        }
         let corners = polygon.corners();
         let too_empty = match best(field, &corners, centers.clone(), options)? {
             Ok(inner) => {
@@ -56,6 +64,12 @@ pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(
             Polygon::Given(_) => return Err(too_empty),
         }
     }
+}
+
+/// Tells whether the polygon has so many corners that any triangulation of it has more triangles than the data suffice
+/// for: then no center helps, and there is no need to try. Each datum counts once.
+fn is_hopeless(outline: &Outline, data: usize, least: usize) -> bool {
+    (outline.num_corners() - 2).saturating_mul(least) > data
 }
 
 /// What the outer points are.

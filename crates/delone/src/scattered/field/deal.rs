@@ -1,6 +1,7 @@
 //! Deals data out among triangles.
 
 use super::Field;
+use super::around::MANY;
 use crate::predicates::{Orientation, orient2d};
 use crate::scattered::stock::Held;
 use crate::{Error, HalfEdgeId, Observer, Point, TriangleId};
@@ -15,6 +16,13 @@ impl<O: Observer> Field<'_, O> {
         let mut place = 0;
         for &held in held {
             let p = self.data.points[held.datum()];
+            if faces.len() >= MANY && contains(&corners[place], p).is_none() {
+                // Likely near by; if the walk leads elsewhere, all are looked at.
+                let there = self.find(p, faces[place])?;
+                place = there
+                    .and_then(|t| faces.binary_search(&t).ok())
+                    .unwrap_or(place);
+            }
             let others = || (0..faces.len()).filter(|&other| other != place);
             let mut places = std::iter::once(place).chain(others());
             let found = places.find_map(|k| Some((k, contains(&corners[k], p)?)));

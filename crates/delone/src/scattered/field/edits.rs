@@ -1,6 +1,7 @@
 //! Edits of the mesh; the data of what changes are dealt out anew.
 
 use super::Field;
+use super::around::MANY;
 use crate::delaunay::{Growing, check_number, insert};
 use crate::edit::remove;
 use crate::locate::Location;
@@ -46,8 +47,15 @@ impl<O: Observer> Field<'_, O> {
         insert(&mut self.draft, at, v, &mut self.room.suspects).expect("bug: no vertex is there");
         self.stock.set_number(self.draft.mesh.num_faces());
         let star = self.draft.star(v).map(HalfEdgeId::triangle);
-        let faces = star.filter(|&t| !self.draft.mesh.is_ghost(t)).collect();
-        self.deal_anew(faces)?;
+        let mut faces: Vec<_> = star.filter(|&t| !self.draft.mesh.is_ghost(t)).collect();
+        faces.sort_unstable();
+        let held = self.take_all(faces.iter().copied());
+        if faces.len() < MANY {
+            self.deal(&held, &faces)?;
+        } else {
+            self.deal_around(v, &held)?;
+        }
+        self.tell_changes();
         Ok(true)
     }
 
@@ -77,14 +85,6 @@ impl<O: Observer> Field<'_, O> {
         dealt?;
         self.tell_changes();
         Ok(there)
-    }
-
-    fn deal_anew(&mut self, mut faces: Vec<TriangleId>) -> Result<(), Error> {
-        faces.sort_unstable();
-        let held = self.take_all(faces.iter().copied());
-        self.deal(&held, &faces)?;
-        self.tell_changes();
-        Ok(())
     }
 
     /// Takes the data of some triangles, those of the lowest first.

@@ -5,9 +5,10 @@
 //!
 //! Edges of the outline are constrained in the draft, so that nothing flips them.
 //!
-//! This file has the state and the questions, `edits` what changes the mesh, `deal` who gets the data then, `raise`
+//! This file has the state and the questions, `edits` what changes the mesh, `deal` and `around` who gets the data then, `raise`
 //! how data on edges pass from one triangle to another, `telling` what an observer hears.
 
+mod around;
 mod deal;
 mod edits;
 mod raise;

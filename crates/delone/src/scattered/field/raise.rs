@@ -7,8 +7,8 @@
 
 use super::Field;
 use super::deal::contains;
-use crate::{HalfEdgeId, Observer, TriangleId};
-use std::collections::{BTreeMap, VecDeque};
+use crate::{HalfEdgeId, Observer, TriangleId, VertexId};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// How a triangle was come to: the other one, and the place in its list, or in this one's, of the datum to pass on.
 #[derive(Clone, Copy)]
@@ -54,9 +54,10 @@ impl<O: Observer> Field<'_, O> {
     /// Passes one datum along each link of a chain from `t` to a triangle that is an end; false if there is none.
     fn pass(&mut self, t: TriangleId, way: Way, is_end: impl Fn(usize) -> bool) -> bool {
         let mut links: BTreeMap<TriangleId, Option<Link>> = BTreeMap::from([(t, None)]);
+        let mut seen = BTreeSet::new();
         let mut queue = VecDeque::from([t]);
         while let Some(u) = queue.pop_front() {
-            for w in self.around(u) {
+            for w in self.around(u, way, &mut seen) {
                 if links.contains_key(&w) {
                     continue;
                 }
@@ -106,14 +107,34 @@ impl<O: Observer> Field<'_, O> {
         found.map(|(place, _)| place)
     }
 
-    /// Lists the other triangles that share a vertex with `t`, ascending.
-    fn around(&self, t: TriangleId) -> Vec<TriangleId> {
+    /// Lists other triangles that could give a datum to `u`, or take one from it, ascending: those beyond its edges, and
+    /// those at its vertices.
+    ///
+    /// At most one datum lies on a vertex. Whoever holds it gives it to the first who asks: so at vertices that have
+    /// been seen nobody is to be asked again, or a hub would make this quadratic. Takers of a datum on a vertex are
+    /// looked for by its holder alone.
+    fn around(&self, u: TriangleId, way: Way, seen: &mut BTreeSet<VertexId>) -> Vec<TriangleId> {
         let mesh = &self.draft.mesh;
-        let stars = t.half_edges().into_iter().flat_map(|h| mesh.star(h));
-        let mut around: Vec<_> = stars.map(HalfEdgeId::triangle).collect();
+        let mut around: Vec<_> = u.half_edges().map(|h| mesh.twin(h).triangle()).to_vec();
+        for h in u.half_edges() {
+            let v = mesh.origin(h);
+            let is_new = match way {
+                Way::In => seen.insert(v),
+                Way::Out => self.holds_at(u, v),
+            };
+            if is_new {
+                around.extend(mesh.star(h).map(HalfEdgeId::triangle));
+            }
+        }
         around.sort_unstable();
         around.dedup();
-        around.retain(|&u| u != t && !mesh.is_ghost(u));
+        around.retain(|&w| w != u && !mesh.is_ghost(w));
         around
+    }
+
+    /// Tells whether a triangle holds a datum that lies on a vertex.
+    fn holds_at(&self, t: TriangleId, v: VertexId) -> bool {
+        let at = self.draft.point(v);
+        self.data_of(t).any(|p| p == at)
     }
 }

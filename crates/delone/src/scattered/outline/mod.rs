@@ -88,9 +88,14 @@ impl Outline {
         self.corners().map(|(_, p)| p).collect()
     }
 
+    /// Counts the corners. *Cost*: constant.
+    pub fn num_corners(&self) -> usize {
+        self.ring.count
+    }
+
     /// Tells whether it is a triangle: it cannot be reduced any more then.
     pub fn is_triangle(&self) -> bool {
-        self.ring.count == 3
+        self.num_corners() == 3
     }
 }
 
