@@ -3,7 +3,7 @@
 use super::histogram;
 use crate::exit::Failure;
 use crate::words::{counted, list};
-use delone::check::{CoverCertificate, verify_cover};
+use delone::check::CoverCertificate;
 use delone::scattered::{Cause, DataTriangulation, Exception};
 use delone::{Error, Point, VertexId, Watch};
 use serde::Serialize;
@@ -62,15 +62,7 @@ struct SpecialCase {
 impl Found {
     /// Has the checker prove it right; triangles and vertices are numbered from `base` on.
     pub fn of(cover: &DataTriangulation, base: usize, watch: &dyn Watch) -> Result<Self, Failure> {
-        let (points, triangles, data) = (cover.points(), cover.triangles(), cover.data());
-        let verdict = verify_cover(
-            points,
-            triangles,
-            data,
-            cover.holders(),
-            cover.least(),
-            watch,
-        );
+        let verdict = cover.verify(watch);
         let verdict = verdict.map_err(|error| match error {
             Error::Cancelled => Failure::Cancelled,
             other => Failure::NotReached(other.to_string()),

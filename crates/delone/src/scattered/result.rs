@@ -1,7 +1,8 @@
 //! What comes out: triangles, and who holds which datum.
 
 use super::field::Field;
-use crate::{Duplicate, Observer, Point, TriangleId, VertexId};
+use crate::check::{CoverVerdict, verify_cover};
+use crate::{Duplicate, Error, Observer, Point, TriangleId, VertexId, Watch};
 
 /// A triangulation each of whose triangles holds at least d of the data, and, but for
 /// [exceptions](Self::exceptions) that are named, at most 3d − 1.
@@ -101,6 +102,33 @@ impl DataTriangulation {
     /// Returns the triangles that hold more, ascending, each with its cause.
     pub fn exceptions(&self) -> &[Exception] {
         &self.exceptions
+    }
+
+    /// Lets the independent [verifier](crate::check::verify_cover) decide whether this is what it says: a polygon covered
+    /// without overlap, every datum in the triangle that holds it, in each at least d, and where more than 3d − 1,
+    /// whether data on edges excuse that.
+    ///
+    /// ```
+    /// let data = (0..100).map(|i| (f64::from(i * 37 % 101), f64::from(i * 59 % 97)));
+    /// let cover = delone::scattered::cover(data, 5)?;
+    /// let certificate = cover.verify(&())?.into_result()?;
+    /// assert!(certificate.fewest >= 5 && certificate.most < 15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`]; that something is wrong is no error but a verdict.
+    ///
+    /// *Cost*: O(n log n), about that of the cover itself.
+    pub fn verify(&self, watch: &dyn Watch) -> Result<CoverVerdict, Error> {
+        let Self {
+            points,
+            triangles,
+            data,
+            holders,
+            ..
+        } = self;
+        verify_cover(points, triangles, data, holders, self.least, watch)
     }
 
     /// Counts the data that each triangle holds, equal ones once. *Cost*: linear.

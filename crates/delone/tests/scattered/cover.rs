@@ -17,6 +17,8 @@ pub fn random(n: u32, seed: u32) -> Vec<Point> {
 
 /// Each datum lies in the triangle that holds it, and every triangle holds enough.
 pub fn require(cover: &DataTriangulation) {
+    let verdict = cover.verify(&()).expect("nobody cancels");
+    verdict.into_result().expect("a cover");
     for (&p, holder) in cover.data().iter().zip(cover.holders()) {
         let [a, b, c] = cover.triangles()[holder.index()].map(|v| cover.points()[v.index()]);
         for [from, to] in [[a, b], [b, c], [c, a]] {
