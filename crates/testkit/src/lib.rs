@@ -1,5 +1,6 @@
 //! Oracles and data that only tests use.
 
+pub mod claims;
 pub mod corpus;
 pub mod cover;
 pub mod data;

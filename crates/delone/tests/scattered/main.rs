@@ -1,4 +1,7 @@
 //! Triangulations made for data: what they promise, on every kind of data.
 
+mod chapter;
+mod claims;
 mod cover;
 mod edges;
+mod properties;

@@ -1,9 +1,10 @@
 //! Cases and checks for fuzzing: small inputs, dense in degeneracy, built in several ways.
 //!
-//! The programs `fuzz-points`, `fuzz-segments`, `fuzz-edit` and `fuzz-refine` run millions of cases in one process, as a
+//! The programs `fuzz-points`, `fuzz-segments`, `fuzz-edit`, `fuzz-refine` and `fuzz-cover` run millions of cases in one process, as a
 //! [`Campaign`]; the targets of `fuzz/` let a coverage-guided fuzzer choose the input.
 
 mod campaign;
+pub mod cover;
 pub mod edit;
 pub mod points;
 pub mod refine;

@@ -35,7 +35,7 @@ impl<O: Observer> Field<'_, O> {
     }
 
     /// Joins a vertex to the Delaunay triangulation where it lies, near triangle `hint`; false if there is another
-    /// vertex, or if it lies outside.
+    /// vertex, or if it lies outside, or on the outline, which need not be convex and could not be restored.
     pub fn insert(&mut self, v: VertexId, hint: TriangleId) -> Result<bool, Error> {
         let p = self.draft.point(v);
         let Some(t) = self.find(p, hint)? else {
@@ -59,13 +59,13 @@ impl<O: Observer> Field<'_, O> {
         Ok(true)
     }
 
-    /// Where in a closed triangle a point lies; `None` if on a vertex.
+    /// Where in a closed triangle a point lies; `None` if on a vertex, or on an outer edge.
     fn within(&self, t: TriangleId, p: Point) -> Option<Location> {
         let is_on = |&h: &HalfEdgeId| self.draft.side_of(h, p) == Orientation::Collinear;
         let mut on = t.half_edges().into_iter().filter(is_on);
         match (on.next(), on.next()) {
             (None, _) => Some(Location::Face(t)),
-            (Some(h), None) => Some(Location::Edge(h)),
+            (Some(h), None) => (!self.is_outer(h)).then_some(Location::Edge(h)),
             _ => None,
         }
     }
