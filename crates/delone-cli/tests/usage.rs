@@ -295,7 +295,7 @@ fn the_examples_of_the_readme_run() {
         .map(|line| line.split('#').next().unwrap_or(line).trim());
     // Samples come first, for others read them.
     let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
-    assert_eq!((samples.len(), others.len()), (2, 17));
+    assert_eq!((samples.len(), others.len()), (2, 18));
     for (name, content) in DATA {
         folder.write(name, content);
     }
@@ -315,23 +315,66 @@ fn the_examples_of_the_pages_run() {
     folder.write("survey.csv", "x,y,height\n0,0,1\n100,0,90\n0,100,260\n");
     folder.write("huts.csv", "x,y\n20,20\n200,1\n");
     folder.write("autzen-thin.xyz", "0 0 400\n30 0 405\n0 40 420\n");
+    write_soundings(&folder);
     let pages = [
         (include_str!("../../../docs/queries.md"), 5),
         (include_str!("../../../docs/terrain.md"), 4),
+        (include_str!("../../../docs/scattered.md"), 5),
     ];
     for (page, count) in pages {
         let examples = page.lines().filter(|l| l.starts_with("delone "));
         let examples: Vec<&str> = examples.filter(|l| !l.contains('|')).collect();
         assert_eq!(examples.len(), count);
+        let mut said = String::new();
         for example in examples {
             let output = folder.run(&example["delone ".len()..], 0);
+            said += &output.stderr;
             // What the page quotes is what is said.
             for line in output.stderr.lines().filter(|l| l.contains("tour")) {
                 let is_figure = line.starts_with("123 points") || line.starts_with("no tour");
                 assert!(!is_figure || page.contains(line), "{line}");
             }
         }
+        let quoted = page.lines().filter(|l| {
+            let begins = |begin: &&str| l.starts_with(begin);
+            QUOTED.iter().any(begins)
+        });
+        for line in quoted {
+            assert!(said.contains(&format!("{line}\n")), "{line}");
+        }
     }
+}
+
+/// How lines of pages begin that programs print.
+const QUOTED: [&str; 5] = [
+    "600 data in",
+    "12 data in",
+    "data in a triangle:",
+    "special case:",
+    "600 points, ",
+];
+
+/// Writes what the page on scattered data works on, as its lines for the shell make it.
+fn write_soundings(folder: &Folder) {
+    let uniform = folder.run("sample uniform -n 600 --seed 3 -o - --to csv", 0);
+    let [mut all, mut bay] = ["x,y,depth\n"; 2].map(str::to_owned);
+    for row in uniform.stdout.lines().skip(1) {
+        let (u, v) = row.split_once(',').expect("two columns");
+        let [u, v] = [u, v].map(|c| c.parse::<f64>().expect("a number"));
+        let [x, y] = [3000.0 * u * u.sqrt(), 2000.0 * v * v.sqrt()].map(f64::round);
+        let row = format!("{x},{y},0\n");
+        all += &row;
+        if x < 1700.0 || y < 900.0 {
+            bay += &row;
+        }
+    }
+    folder.write("soundings.csv", all);
+    folder.write("bay.csv", bay);
+    let bay = "POLYGON ((-60 -60, 3100 -60, 3100 900, 1700 900, 1700 2100, -60 2100, -60 -60))";
+    folder.write("bay.wkt", bay);
+    let edges = "x,y\n1,0\n2,0\n3,0\n4,0\n5,0\n0,1\n0,2\n0,3\n0,4\n0,5\n1,1\n2,1\n";
+    folder.write("edges.csv", edges);
+    folder.write("corner.wkt", "POLYGON ((0 0, 6 0, 0 6, 0 0))");
 }
 
 #[test]

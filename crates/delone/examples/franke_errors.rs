@@ -6,7 +6,7 @@
 //! fitted over data triangulations of the square from −0.1 to 1.1, in which every triangle holds as many data
 //! as a polynomial has coefficients.
 
-use delone::scattered::DataTriangulation;
+use delone::scattered::{Cover, DataTriangulation};
 use delone::surface::{
     CloughTocher, Estimate, Evaluation, FitOptions, FitSummary, Gradients, Interpolant, Linear,
     LocalFits, Samples,
@@ -119,16 +119,28 @@ fn values_at(nodes: &[Point]) -> Vec<f64> {
 }
 
 /// Makes data triangulations: of nodes, in the domain, with so many in every triangle at least, if it can.
-type Cover<'c> = &'c dyn Fn(&[Point], [Point; 2], usize) -> Option<DataTriangulation>;
+type Maker<'c> = &'c dyn Fn(&[Point], [Point; 2], usize) -> Option<DataTriangulation>;
+
+/// Covers nodes with triangles that fill a box.
+fn cover(nodes: &[Point], [low, high]: [Point; 2], least: usize) -> Option<DataTriangulation> {
+    let corners = [
+        low,
+        Point::new(high.x, low.y),
+        high,
+        Point::new(low.x, high.y),
+    ];
+    let builder = Cover::new(least).domain(corners.to_vec());
+    builder.cover(nodes.iter().copied()).ok()
+}
 
 /// Returns one row of the table.
-fn row(nodes: &Nodes, cover: Cover<'_>) -> Result<String, Error> {
+fn row(nodes: &Nodes, make: Maker<'_>) -> Result<String, Error> {
     let mut cells = vec![nodes.title.to_owned()];
     let cell = |errors: Errors| format!("{:.4} / {:.4}", errors.max, errors.rms);
     cells.extend(errors_between(&nodes.points)?.map(cell));
     for degree in 1..=3 {
         let options = FitOptions::degree(degree);
-        let Some(t) = cover(&nodes.points, DOMAIN, options.least_data()) else {
+        let Some(t) = make(&nodes.points, DOMAIN, options.least_data()) else {
             let is_enough = nodes.points.len() >= options.least_data();
             cells.push(if is_enough { "none" } else { "too few" }.to_owned());
             continue;
@@ -145,28 +157,20 @@ fn row(nodes: &Nodes, cover: Cover<'_>) -> Result<String, Error> {
 }
 
 /// Returns the table.
-pub fn table(cover: Cover<'_>) -> Result<String, Error> {
+pub fn table(make: Maker<'_>) -> Result<String, Error> {
     let mut lines = vec![
         "| nodes | linear | Clough–Tocher | planes, d = 3 | quadratics, d = 6 | cubics, d = 10 |"
             .to_owned(),
         "|---|---|---|---|---|---|".to_owned(),
     ];
     for nodes in all_nodes() {
-        lines.push(row(&nodes, cover)?);
+        lines.push(row(&nodes, make)?);
     }
     Ok(lines.join("\n"))
 }
 
 /// Prints the table.
 pub fn main() -> Result<(), Error> {
-    let cover = |data: &[Point], domain: [Point; 2], least: usize| {
-        let [low, high] = domain;
-        let candidates = delone_testkit::cover::halton(1000).into_iter().map(|p| {
-            let along = |low: f64, high: f64, share: f64| low + (high - low) * share;
-            Point::new(along(low.x, high.x, p.x), along(low.y, high.y, p.y))
-        });
-        delone_testkit::cover::greedy(domain, &candidates.collect::<Vec<_>>(), data, least)
-    };
     println!(
         "Largest error / root of the mean square (triangles; with data of neighbours; of lower degree)\n"
     );

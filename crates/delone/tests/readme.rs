@@ -1,8 +1,10 @@
 //! Holds the README to the truth: its lines for points are those of `examples/first.rs`, and those for
-//! a mesh of `examples/mesh.rs`, and their output is theirs.
+//! a mesh of `examples/mesh.rs`, and their output is theirs; and so do those of `docs/scattered.md` for fits.
 
 use std::cell::RefCell;
 use std::path::Path;
+
+const README: &str = "../../README.md";
 
 thread_local! {
     static PRINTED: RefCell<String> = const { RefCell::new(String::new()) };
@@ -20,6 +22,8 @@ macro_rules! println {
 
 #[path = "../examples/first.rs"]
 mod first;
+#[path = "../examples/local_fits.rs"]
+mod local_fits;
 #[path = "../examples/mesh.rs"]
 mod mesh;
 
@@ -40,25 +44,31 @@ fn body(example: &str) -> String {
         .collect()
 }
 
-/// Requires that the README has the few lines of an example, and what they print.
-fn require(example: &str, lines: usize, main: fn() -> Result<(), delone::Error>) {
+/// Requires that a page has the few lines of an example, and what they print.
+fn require(page: &str, example: &str, lines: usize, main: fn() -> Result<(), delone::Error>) {
     let code = body(&read(example));
     assert_eq!(code.lines().count(), lines, "{code}");
     main().expect("finite points");
     let output = PRINTED.take();
-    let readme = read("../../README.md");
+    let text_of_page = read(page);
     for (language, text) in [("rust", code), ("text", output)] {
         let block = format!("```{language}\n{text}```\n");
-        assert!(readme.contains(&block), "the README lacks:\n{block}");
+        assert!(text_of_page.contains(&block), "{page} lacks:\n{block}");
     }
 }
 
 #[test]
 fn the_readme_shows_the_example_and_its_output() {
-    require("examples/first.rs", 5, first::main);
+    require(README, "examples/first.rs", 5, first::main);
 }
 
 #[test]
 fn the_readme_shows_the_example_of_a_mesh_and_its_output() {
-    require("examples/mesh.rs", 12, mesh::main);
+    require(README, "examples/mesh.rs", 12, mesh::main);
+}
+
+#[test]
+fn the_page_on_scattered_data_shows_fits_and_what_they_print() {
+    let page = "../../docs/scattered.md";
+    require(page, "examples/local_fits.rs", 18, local_fits::main);
 }

@@ -38,35 +38,6 @@ pub fn lattice(
     assigned(&delone::triangulate(points)?, data, least)
 }
 
-/// The corners of a box, and of `candidates` those, one after the other, with which every triangle still holds
-/// `least` data; `None` if not even the box alone does.
-pub fn greedy(
-    [low, high]: [Point; 2],
-    candidates: &[Point],
-    data: &[Point],
-    least: usize,
-) -> Option<DataTriangulation> {
-    let mut points = vec![
-        low,
-        Point::new(high.x, low.y),
-        high,
-        Point::new(low.x, high.y),
-    ];
-    let make = |points: &[Point]| {
-        let t = delone::triangulate(points.iter().copied()).ok()?;
-        assigned(&t, data, least).ok()
-    };
-    let mut best = make(&points)?;
-    for &candidate in candidates {
-        points.push(candidate);
-        match make(&points) {
-            Some(better) => best = better,
-            None => drop(points.pop()),
-        }
-    }
-    Some(best)
-}
-
 /// Halton's points with bases 2 and 3, from the first on.
 pub fn halton(n: usize) -> Vec<Point> {
     let inverse = |mut i: usize, base: usize| {

@@ -68,17 +68,19 @@ fn the_index_says_what_the_program_says() {
 #[test]
 fn links_lead_to_files_and_headings() {
     let pages = abouts().map(|about| format!("{}.md", about.name));
-    for name in pages.chain(["README.md", "log-format.md"].map(str::to_owned)) {
+    let others = ["README.md", "log-format.md", "../scattered.md"];
+    for name in pages.chain(others.map(str::to_owned)) {
         let page = read(&name);
+        let beside = Path::new(&name).parent().expect("it is a file");
         for link in links(&page) {
             let (file, heading) = link.split_once('#').unwrap_or((link, ""));
-            let path = folder().join(file);
-            assert!(path.exists(), "{name}: {link}");
+            let path = beside.join(file);
+            assert!(folder().join(&path).exists(), "{name}: {link}");
             if !heading.is_empty() {
                 let there = if file.is_empty() {
                     page.clone()
                 } else {
-                    read(file)
+                    read(path.to_str().expect("UTF-8"))
                 };
                 assert!(
                     anchors(&there).any(|anchor| anchor == heading),

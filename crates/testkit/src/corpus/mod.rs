@@ -102,6 +102,11 @@ const RULES: &[(&str, &str, Rule)] = &[
     ("lecture/", ".json", Skip("worked examples: facts")),
     ("chapter/", ".json", Skip("worked examples: facts")),
     ("franke/FUNCTIONS.md", "", Skip("formulas")),
+    (
+        "franke/",
+        ".json",
+        Skip("nodes and errors that examples compare with"),
+    ),
     ("franke/", ".csv", Table),
 ];
 

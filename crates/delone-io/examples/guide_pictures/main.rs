@@ -1,12 +1,16 @@
-//! Draws the pictures of the guide to the classical algorithms: a filmstrip for each, and an animation.
+//! Draws the pictures of the guide to the classical algorithms: a filmstrip for each, a few more, and an animation.
 //!
 //! `cargo run --release -p delone-io --example guide_pictures -- docs/algorithms/pictures` draws all; names of
-//! algorithms behind the folder draw only theirs.
+//! pictures behind the folder, without their ending, draw only these.
 //!
 //! A strip shows moments that tell how the algorithm works. They are named by events, as
 //! `docs/algorithms/log-format.md` calls them: `2 edge-flipped` is the second flip after the moment before,
 //! `1 circle-tested inside` the next circle test with that answer. If a run has no such moment any more, the
 //! program fails.
+
+mod opening;
+mod panels;
+mod stages;
 
 use delone::classic::{Algorithm, Input};
 use delone::{Angle, DomainRule, Event, Log, Pslg, Quality};
@@ -18,7 +22,7 @@ use std::path::Path;
 type Strip = (Algorithm, fn() -> Input<'static>, &'static str);
 
 /// The strips, one for each algorithm.
-const STRIPS: [Strip; 15] = [
+const STRIPS: [Strip; 18] = [
     (
         Algorithm::Sweep,
         outline,
@@ -86,6 +90,24 @@ const STRIPS: [Strip; 15] = [
          3 triangle-created, 1 circle-tested inside, 1 edge-flipped",
     ),
     (
+        Algorithm::AlgorithmA,
+        few_soundings,
+        "1 cover-rejected, 2 cover-rejected, 1 outer-reduced, 1 cover-accepted, 1 cluster-split, \
+         1 cover-accepted, 3 cover-rejected",
+    ),
+    (
+        Algorithm::AlgorithmB,
+        soundings,
+        "1 triangle-considered, 1 place-tried, 1 vertex-created, 1 edge-flipped, 3 triangle-considered, \
+         3 place-tried, 1 vertex-created",
+    ),
+    (
+        Algorithm::AlgorithmC,
+        soundings,
+        "1 vertex-created, 3 triangle-created, 1 edge-flipped, 1 vertex-created, 3 triangle-created, \
+         1 edge-flipped, 1 vertex-created",
+    ),
+    (
         Algorithm::BowyerWatson,
         scattered,
         "6 point-considered, 2 pushed, 3 triangle-created, 5 point-considered, 1 circle-tested inside, \
@@ -108,6 +130,27 @@ const STRIPS: [Strip; 15] = [
         scattered,
         "1 set-divided, 1 tangent-found, 2 triangle-created, 2 tangent-found, 2 edge-deleted, \
          1 triangle-created, 4 triangle-created",
+    ),
+];
+
+/// Strips that show one part of an algorithm, with the names of their pictures.
+const PARTS: [(&str, Strip); 2] = [
+    (
+        "outer-polygon",
+        (
+            Algorithm::AlgorithmA,
+            wedge,
+            "1 cover-rejected, 1 outer-reduced, 2 cover-rejected, 1 outer-reduced, 1 outer-reduced",
+        ),
+    ),
+    (
+        "bisection",
+        (
+            Algorithm::AlgorithmB,
+            soundings,
+            "5 triangle-considered, 1 place-tried, 1 place-tried, 1 place-tried, 1 place-tried, \
+             1 vertex-created, 1 edge-flipped",
+        ),
     ),
 ];
 
@@ -161,15 +204,60 @@ fn pentagon() -> Input<'static> {
     }
 }
 
+/// Data that are denser towards a corner, as a ship takes them near a harbour.
+fn soundings() -> Input<'static> {
+    towards_a_corner(60)
+}
+
+/// Half as many.
+fn few_soundings() -> Input<'static> {
+    towards_a_corner(30)
+}
+
+fn towards_a_corner(n: u32) -> Input<'static> {
+    let data = spread(n).map(|[x, y]| (100.0 * x * x.sqrt(), 80.0 * y * y.sqrt()));
+    Input {
+        least: 3,
+        ..Input::from_points(data.map(|(x, y)| (x.round(), y.round())))
+    }
+}
+
+/// Data in a triangle, all of which are to be in one.
+fn wedge() -> Input<'static> {
+    let data = spread(28).map(|[a, b]| {
+        let is_beyond = a + b > 1.0;
+        let [a, b] = [a, b].map(|share| if is_beyond { 1.0 - share } else { share });
+        ((100.0 * a + 30.0 * b).round(), (85.0 * b).round())
+    });
+    Input {
+        least: 28,
+        ..Input::from_points(data)
+    }
+}
+
+/// Points that fill the unit square evenly, though not on a lattice: multiples of two shares of the golden kind.
+fn spread(n: u32) -> impl Iterator<Item = [f64; 2]> {
+    let along = [0.754_877_666_246_693, 0.569_840_290_998_053];
+    (1..=n).map(move |i| along.map(|share| (f64::from(i) * share).fract()))
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let folder = arguments.next().ok_or("which folder?")?;
+    let folder = Path::new(&folder);
     let wanted: Vec<_> = arguments.collect();
-    for (algorithm, input, moments) in STRIPS {
-        let name = algorithm.about().name;
-        if wanted.is_empty() || wanted.iter().any(|wanted| wanted == name) {
-            draw(Path::new(&folder), algorithm, &input(), moments)?;
+    let is_wanted = |name: &str| wanted.is_empty() || wanted.iter().any(|wanted| wanted == name);
+    let strips = STRIPS.map(|strip| (strip.0.about().name, strip));
+    for (name, strip) in strips.into_iter().chain(PARTS) {
+        if is_wanted(name) {
+            draw(folder, name, strip)?;
         }
+    }
+    if is_wanted("opening") {
+        opening::draw(&folder.join("opening.svg"))?;
+    }
+    if is_wanted("stages") {
+        stages::draw(&soundings(), &folder.join("stages.svg"))?;
     }
     Ok(())
 }
@@ -177,13 +265,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Runs an algorithm, and draws its strip; of the one that the README shows, the animation, too.
 fn draw(
     folder: &Path,
-    algorithm: Algorithm,
-    input: &Input,
-    moments: &str,
+    name: &str,
+    (algorithm, input, moments): Strip,
 ) -> Result<(), Box<dyn Error>> {
-    let name = algorithm.about().name;
-    let mut log = Log::new(name, input.pslg.points.clone());
-    algorithm.observe(input, &mut log)?;
+    let input = input();
+    let mut log = Log::new(algorithm.about().name, input.pslg.points.clone());
+    algorithm.observe(&input, &mut log)?;
     let moments = find(&log, moments).map_err(|missing| format!("{name}: no {missing}"))?;
     let recording = Recording::new(algorithm.about(), log);
     let options = AnimationOptions {
@@ -193,7 +280,7 @@ fn draw(
     };
     let to = |ending: &str| Target::from_arg(folder.join(format!("{name}.{ending}")), None);
     write_animation(&[to("png")], &recording, &options, &())?;
-    if algorithm == Algorithm::Incremental {
+    if name == "incremental" {
         let options = AnimationOptions {
             size: 1000,
             shown: ShownSteps::Changes,
