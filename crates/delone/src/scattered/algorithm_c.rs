@@ -38,12 +38,14 @@ pub(super) fn run(
     all.into_iter().for_each(|t| field.stock.touch(t));
     full.update(field, least);
     while let Some(t) = full.next() {
+        field.at(2);
+        let triangle = field.names(t);
+        field.tell(|| Event::TriangleConsidered { triangle });
         if divide(field, t, options)? || divide_edge(field, t, options)? || relieve(field, t, least)
         {
             full.update(field, least);
         } else {
             field.at(3);
-            let triangle = field.names(t);
             field.tell(|| Event::DivisionFailed { triangle });
             full.set_aside(t);
         }
