@@ -97,8 +97,8 @@ const everyAlgorithmPlays = () => {
 };
 
 const longRunsAreSoughtQuickly = () => {
-  const drawing = Drawing.preset("uniform", 6000, 1);
-  const [player, ran] = milliseconds(() => Player.run("random-incremental", drawing));
+  const drawing = Drawing.preset("uniform", 20000, 1);
+  const [player, ran] = milliseconds(() => Player.run("divide-and-conquer", drawing));
   const [, first] = milliseconds(() => player.seek(player.length));
   let worst = 0;
   for (let i = 1; i <= 40; i++) {
