@@ -1,8 +1,8 @@
 //! Going to any step of a run quickly: scenes are kept on the way, and the way begins at the nearest.
 //!
-//! *Cost*: the first way to the end takes every step, about 1 µs each; afterwards no way is longer than half a
-//! stride, which is at least 4096 steps and at most a 4th of the run, less for small scenes. *Memory*: that of the
-//! scenes kept, some 100 MB at most unless a few scenes are larger than that.
+//! *Cost*: the first way to the end takes every step, a fraction of a µs each; afterwards few ways are longer than
+//! half a stride, which is a 64th of the run or 4096 steps, or up to a 4th of the run if scenes are large. *Memory*:
+//! that of the scenes kept, some 100 MB unless a few are larger than that.
 
 use delone::{Log, NoSuchStep, Scene};
 use std::collections::BTreeMap;
