@@ -53,6 +53,7 @@ pub fn bind(compiled: &Path, out: &Path) -> Result<PathBuf, Failure> {
         .input_path(compiled)
         .out_name(NAME)
         .typescript(true)
+        .omit_default_module_path(false)
         .remove_name_section(true)
         .remove_producers_section(true);
     bindings
