@@ -1,7 +1,7 @@
 //! A classical algorithm at work: every step kept, and any of them shown.
 //!
 //! A [`Player`] stands between two steps. To go elsewhere takes the steps in between, forwards or backwards, from
-//! where it stands or from the nearest of some scenes that it has kept on its way ([`tape`]).
+//! where it stands or from the nearest of some scenes that it has kept on its way (`tape.rs`).
 
 mod marks;
 mod run;

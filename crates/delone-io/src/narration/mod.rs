@@ -1,6 +1,6 @@
 //! What a step does, in a sentence: for whoever watches a run, in English or German.
 //!
-//! [`changes`] and [`looks`] are the table: a sentence in both languages for every kind of event, with places for
+//! `changes.rs` and `looks.rs` are the table: a sentence in both languages for every kind of event, with places for
 //! what it is about. Vertices are named by their numbers, edges and triangles by those of their corners. The few
 //! words beside a drawing, which shows what they are about, are those of animations.
 
