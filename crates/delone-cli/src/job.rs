@@ -8,9 +8,10 @@ use crate::files::{Content, Input, Outputs, Reading, Writing};
 use crate::numbering::Numbering;
 use crate::progress::Progress;
 use crate::refinable::Refinable;
-use crate::sample::Scene;
+use crate::sample::scene_data;
 pub use build::{Building, Built, Laps, refine};
 use delone_io::DomainData;
+use delone_samples::Scene;
 pub use report::{Figures, Report};
 use std::path::{Path, PathBuf};
 
@@ -60,7 +61,7 @@ impl Job {
     ) -> Result<(DomainData, Numbering), Failure> {
         let (name, domain) = match self.open(outputs)? {
             Some(input) => (input.name(), noted(input.domain(progress)?, progress)),
-            None => (SAMPLE.name().to_owned(), SAMPLE.draw()),
+            None => (SAMPLE.name().to_owned(), scene_data(SAMPLE)),
         };
         let numbering = Numbering::of(&name, &domain);
         Ok((domain, numbering))
@@ -78,7 +79,7 @@ impl Job {
                 let read = input.refinable(takes_areas, progress)?;
                 (input.name(), noted(read, progress))
             }
-            None => (SAMPLE.name().to_owned(), SAMPLE.draw().into()),
+            None => (SAMPLE.name().to_owned(), scene_data(SAMPLE).into()),
         };
         let numbering = Numbering::of(&name, &refinable.domain);
         Ok((refinable, numbering))

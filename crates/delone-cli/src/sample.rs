@@ -1,19 +1,12 @@
 //! `delone sample`: points and domains to try things on, embedded, drawn or generated.
 
-mod grid;
-mod lake;
-mod scene;
-mod thesis;
-
-pub use scene::Scene;
-
 use crate::exit::Failure;
 use crate::files::{self, Content, Input, Outputs, Writing};
 use crate::progress::Progress;
 use crate::words::{self, counted, list};
-use delone::{Point, Pslg, VertexId};
+use delone::{Point, Region};
 use delone_io::{DomainData, Format, PointSet, ReadOptions, Source};
-use delone_samples::{Distribution, Domain, Drawing};
+use delone_samples::{Distribution, Domain, Drawing, Scene, Sheet};
 use std::path::PathBuf;
 
 /// The name of the embedded points.
@@ -108,7 +101,7 @@ impl Sample {
                 let points = distribution.points(self.count as usize, self.seed);
                 self.write_points(&point_set(points), &progress)?
             }
-            Name::Scene(scene) => self.write_domain(scene.draw(), &progress)?,
+            Name::Scene(scene) => self.write_domain(scene_data(scene), &progress)?,
             Name::Domain(domain) => {
                 // A loose segment has two points.
                 require_room(2 * self.count as usize)?;
@@ -162,14 +155,37 @@ fn point_set(points: Vec<[f64; 2]>) -> PointSet {
 }
 
 fn domain_data(drawing: Drawing) -> DomainData {
-    let vertex = |v: u32| VertexId::new(v as usize);
-    let segments = drawing.segments.into_iter().map(|ends| ends.map(vertex));
-    Pslg {
-        segments: segments.collect(),
-        holes: drawing.holes.into_iter().map(Point::from).collect(),
-        ..Pslg::from_points(drawing.points)
+    let Drawing {
+        points,
+        segments,
+        holes,
+    } = drawing;
+    DomainData::from_rows(points, segments, holes).expect("bug: a sample names no point")
+}
+
+/// Draws a scene.
+pub fn scene_data(scene: Scene) -> DomainData {
+    let Sheet {
+        points,
+        segments,
+        markers,
+        holes,
+        regions,
+    } = scene.draw();
+    let region = |(at, attribute): ([f64; 2], f64)| Region {
+        at: at.into(),
+        attribute,
+        max_area: None,
+    };
+    DomainData {
+        segment_markers: (!markers.is_empty()).then_some(markers),
+        regions: regions.into_iter().map(region).collect(),
+        ..domain_data(Drawing {
+            points,
+            segments,
+            holes,
+        })
     }
-    .into()
 }
 
 /// Requires that so many points can be triangulated, and fit into memory.

@@ -28,6 +28,32 @@ pub struct DomainData {
 }
 
 impl DomainData {
+    /// Makes a domain of points, the ends of segments as indices of points, and a point in each hole.
+    ///
+    /// # Errors
+    /// If a segment names no point.
+    pub fn from_rows(
+        points: Vec<[f64; 2]>,
+        segments: Vec<[u32; 2]>,
+        holes: Vec<[f64; 2]>,
+    ) -> Result<Self, Error> {
+        let n = points.len();
+        let is_bad = |ends: &[u32; 2]| ends.iter().any(|&v| v as usize >= n);
+        if let Some(bad) = segments.iter().position(is_bad) {
+            let [a, b] = segments[bad];
+            let mesh = format!("segment {bad} joins {a} and {b} of {n} points (numbered from 0)");
+            return Err(Error::BadMesh(mesh));
+        }
+        let vertex = |v: u32| VertexId::new(v as usize);
+        let segments = segments.into_iter().map(|ends| ends.map(vertex));
+        let pslg = Pslg {
+            segments: segments.collect(),
+            holes: holes.into_iter().map(Point::from).collect(),
+            ..Pslg::from_points(points)
+        };
+        Ok(pslg.into())
+    }
+
     /// Moves points, segments and polygons out, for triangulation; holes and regions are copied.
     ///
     /// What stays are the attributes and markers that the result is to [inherit](crate::Inherited).

@@ -52,6 +52,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Where there are no files, [`Source::Memory`] is read, and [`in_memory`] keeps what is written.
+//!
 //! So do domains, whose markers and attributes the mesh [inherits](Inherited):
 //!
 //! ```
@@ -93,7 +95,9 @@ mod geojson;
 mod inherit;
 mod lines;
 mod links;
+mod memory;
 mod mesh;
+pub mod narration;
 mod neigh;
 mod node;
 mod npy;
@@ -134,6 +138,7 @@ pub use format::Format;
 pub use inherit::Inherited;
 pub use lines::Lines;
 pub use links::{Link, Links, write_links};
+pub use memory::{MemoryFile, in_memory};
 pub use mesh::{MeshData, MeshView, read_mesh};
 pub use plot::{Curve, Panel, write_plot};
 pub use points::{Attribute, Column, LeftOut, PointSet, ReadOptions, read_points};

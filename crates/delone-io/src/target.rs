@@ -4,6 +4,7 @@
 //! one of several then not get its name, those before it stay, and the error names them. The promise holds against errors, cancellation and a crash of the program; the files are not
 //! flushed to the disk, so it does not hold against a power cut.
 
+use crate::memory;
 use crate::unfinished::{NotRenamed, Unfinished, persist_all};
 use crate::{Error, Format};
 use delone::{Phase, Watch};
@@ -88,6 +89,9 @@ impl<'a> Staging<'a> {
         let Some(path) = path else {
             return self.fill("-", &mut io::stdout().lock(), fill);
         };
+        if memory::is_wanted() {
+            return self.keep(path, fill);
+        }
         let name = path.display().to_string();
         let at = |action| {
             let file = name.clone();
@@ -118,6 +122,19 @@ impl<'a> Staging<'a> {
         let (mut file, temporary) = Unfinished::create_beside(&place).map_err(at("create"))?;
         self.fill(&name, &mut file, fill)?;
         self.complete.push((temporary, place));
+        self.names.push(path.to_owned());
+        Ok(())
+    }
+
+    /// Writes one file that stays in memory.
+    fn keep(
+        &mut self,
+        path: &Path,
+        fill: impl FnOnce(&mut Output<'_>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut bytes = Vec::new();
+        self.fill(&path.display().to_string(), &mut bytes, fill)?;
+        memory::keep(path, bytes);
         self.names.push(path.to_owned());
         Ok(())
     }

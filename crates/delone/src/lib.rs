@@ -101,6 +101,7 @@
 
 pub mod check;
 pub mod classic;
+mod clock;
 mod constrained;
 pub mod delaunay;
 pub mod edit;

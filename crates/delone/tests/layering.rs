@@ -14,6 +14,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("point", &[]),
     ("error", &["point", "mesh::VertexId", "mesh::TriangleId"]),
     ("watch", &["error"]),
+    ("clock", &[]),
     ("memory", &[]),
     ("parallel", &["error"]),
     ("pace", &["error", "watch"]),
@@ -153,6 +154,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "memory",
             "parallel",
             "pace",
+            "clock",
         ],
     ),
     (
@@ -186,6 +188,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "parallel",
             "pace",
             "order",
+            "clock",
         ],
     ),
     (
@@ -339,6 +342,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("delone-io", &["delone"]),
     ("delone-samples", &[]),
     ("delone-cli", &["delone", "delone-io", "delone-samples"]),
+    ("delone-wasm", &["delone", "delone-io", "delone-samples"]),
+    ("delone-web-build", &[]),
     ("delone-bench", &["delone", "delone-io", "delone-samples"]),
     ("delone-testkit", &["delone"]),
 ];

@@ -11,10 +11,12 @@
 mod domain;
 mod names;
 mod random;
+mod scene;
 
 pub use domain::{Domain, Drawing};
 pub use names::UnknownName;
 pub use random::Random;
+pub use scene::{Scene, Sheet};
 use std::fmt;
 use std::str::FromStr;
 

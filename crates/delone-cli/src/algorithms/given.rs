@@ -6,13 +6,13 @@ use crate::files::{Input as File, Outputs, Reading};
 use crate::numbering::Numbering;
 use crate::numbers::{angle, positive};
 use crate::progress::Progress;
-use crate::sample::Scene;
+use crate::sample::scene_data;
 use crate::words::counted;
 use delone::classic::{About, Algorithm, Input, Takes};
 use delone::predicates::{Orientation, orient2d};
 use delone::{Angle, DomainRule, Point, Quality, VertexId};
 use delone_io::{DomainData, PointSet};
-use delone_samples::Distribution;
+use delone_samples::{Distribution, Scene};
 use std::path::PathBuf;
 
 /// What is to be done about segments that cross: no classical algorithm cuts them.
@@ -87,7 +87,7 @@ impl Given {
                     .into(),
                 )
             }
-            None => of_domain(Scene::Thesis.name(), Scene::Thesis.draw()),
+            None => of_domain(Scene::Thesis.name(), scene_data(Scene::Thesis)),
         };
         if is_bare(takes) && !input.pslg.segments.is_empty() {
             let segments = counted(input.pslg.segments.len(), "segment", "segments");

@@ -20,5 +20,6 @@ pub struct Budget {
     /// has more.
     pub vertices: Option<usize>,
     /// Longest time for refinement. The mesh then depends on the speed of the machine.
+    /// Nothing is limited where the standard library knows no clock, as in a browser.
     pub time: Option<Duration>,
 }

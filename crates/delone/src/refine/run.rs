@@ -7,10 +7,10 @@ use super::refiner::{Refiner, Step};
 use super::smooth::smooth;
 use super::sow::sow;
 use super::{Outcome, RefinedMesh, Refinement, Report};
+use crate::clock::Clock;
 use crate::constrained::{Prepared, enrich};
 use crate::parallel::Workers;
 use crate::{DomainRule, Error, Locked, Phase, Watch};
-use std::time::Instant;
 
 /// Steps between two looks at clock and watch.
 const STRIDE: usize = 1 << 10;
@@ -42,11 +42,11 @@ pub(super) fn refine(
     let sown = handing::are_sown(&prepared);
     let (canvas, context) = handing::canvas(prepared, scale);
     let mut refiner = Refiner::new(canvas, sown, bounds, refinement.locked);
-    let start = Instant::now();
-    let stopped = work_off(&mut refiner, refinement, start);
+    let clock = Clock::start();
+    let stopped = work_off(&mut refiner, refinement, clock);
     let ended = match stopped {
         Some(Outcome::Cancelled) => stopped,
-        _ => smooth(&mut refiner, refinement, start).or(stopped),
+        _ => smooth(&mut refiner, refinement, clock).or(stopped),
     };
     let unmet = reasons::unmet(&refiner.canvas, &refiner.bounds, workers);
     let Refiner { canvas, lines, .. } = refiner;
@@ -71,7 +71,7 @@ pub(super) fn refine(
 }
 
 /// Goes on until nothing is left to do; returns what stopped it earlier, if anything did.
-fn work_off(refiner: &mut Refiner, refinement: &Refinement, start: Instant) -> Option<Outcome> {
+fn work_off(refiner: &mut Refiner, refinement: &Refinement, clock: Clock) -> Option<Outcome> {
     let budget = refinement.budget;
     let most = budget.vertices.unwrap_or(usize::MAX);
     for steps in 0.. {
@@ -82,7 +82,7 @@ fn work_off(refiner: &mut Refiner, refinement: &Refinement, start: Instant) -> O
             if refinement.watch.is_cancelled() {
                 return Some(Outcome::Cancelled);
             }
-            if budget.time.is_some_and(|time| start.elapsed() >= time) {
+            if budget.time.is_some_and(|time| clock.elapsed() >= time) {
                 return Some(Outcome::BudgetExhausted);
             }
             let done = refiner.num_vertices() as u64;

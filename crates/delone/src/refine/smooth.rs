@@ -24,8 +24,8 @@ use super::refiner::Refiner;
 use super::relocate::toward_centers;
 use super::worth::Worth;
 use super::{Outcome, Refinement};
+use crate::clock::Clock;
 use crate::{HalfEdgeId, Phase, Point, TriangleId, VertexId};
-use std::time::Instant;
 
 /// Moves shorter than this part of the shortest edge, squared, are not worth the work.
 const SHORTEST_MOVE: f64 = 1e-6;
@@ -38,7 +38,7 @@ const STRIDE: usize = 1 << 10;
 pub(super) fn smooth(
     refiner: &mut Refiner,
     refinement: &Refinement,
-    start: Instant,
+    clock: Clock,
 ) -> Option<Outcome> {
     if refinement.smoothing == 0 {
         return None;
@@ -60,7 +60,7 @@ pub(super) fn smooth(
                 if watch.is_cancelled() {
                     return Some(Outcome::Cancelled);
                 }
-                if time.is_some_and(|time| start.elapsed() >= time) {
+                if time.is_some_and(|time| clock.elapsed() >= time) {
                     return None;
                 }
                 watch.progress(Phase::Smooth, done + i as u64, total);

@@ -1,8 +1,9 @@
 //! When to stop, and where to kick.
 
+use crate::clock::Clock;
 use crate::pace::Pace;
 use crate::{Error, Phase, Watch};
-use std::time::Instant;
+use std::time::Duration;
 
 /// Looks at sites between two looks at the clock.
 const STRIDE: u64 = 1 << 8;
@@ -10,23 +11,26 @@ const STRIDE: u64 = 1 << 8;
 /// A budget of moves and time.
 pub(super) struct Limits<'w> {
     moves: u64,
-    deadline: Option<Instant>,
+    time: Option<Duration>,
+    clock: Clock,
     pace: Pace<'w>,
     looks: u64,
     pub is_spent: bool,
 }
 
 impl<'w> Limits<'w> {
-    /// `work` is how many sites will be looked at, as far as that can be guessed.
+    /// Moves, and the time since the clock was started, are limited; `work` is how many sites will be looked at, as far as that can be guessed.
     pub fn new(
         moves: Option<u64>,
-        deadline: Option<Instant>,
+        time: Option<Duration>,
+        clock: Clock,
         work: u64,
         watch: &'w dyn Watch,
     ) -> Self {
         Self {
             moves: moves.unwrap_or(u64::MAX),
-            deadline,
+            time,
+            clock,
             pace: Pace::new(watch, Phase::Tour, work),
             looks: 0,
             is_spent: false,
@@ -37,8 +41,8 @@ impl<'w> Limits<'w> {
     pub fn allows(&mut self, moves: u64) -> Result<bool, Error> {
         self.pace.step()?;
         self.looks += 1;
-        let is_late = |deadline| self.looks.is_multiple_of(STRIDE) && Instant::now() >= deadline;
-        self.is_spent |= moves >= self.moves || self.deadline.is_some_and(is_late);
+        let is_late = |time| self.looks.is_multiple_of(STRIDE) && self.clock.elapsed() >= time;
+        self.is_spent |= moves >= self.moves || self.time.is_some_and(is_late);
         Ok(!self.is_spent)
     }
 }

@@ -25,11 +25,12 @@ mod spanning;
 mod start;
 
 use super::Proximity;
+use crate::clock::Clock;
 use crate::{Error, VertexId};
 use improve::Improvement;
 use limits::Limits;
 use sites::Sites;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How to plan a tour.
 ///
@@ -118,7 +119,8 @@ impl Tour {
         }
     }
 
-    /// Stops moving after this time. The tour then depends on the speed of the machine.
+    /// Stops moving after this time, if the standard library knows a clock. The tour then depends on the speed of
+    /// the machine.
     pub fn time(self, time: Duration) -> Self {
         Self {
             time: Some(time),
@@ -131,7 +133,7 @@ impl Tour {
     /// # Errors
     /// [`Error::NoSuchVertex`] if the start does not exist; [`Error::Cancelled`].
     pub fn plan(self, proximity: &Proximity) -> Result<Route, Error> {
-        let begin = Instant::now();
+        let clock = Clock::start();
         let Some(sites) = self.sites(proximity)? else {
             return Ok(Route {
                 order: Vec::new(),
@@ -141,10 +143,9 @@ impl Tour {
             });
         };
         let mut improvement = Improvement::new(&sites);
-        let deadline = self.time.map(|time| begin + time);
         let kicks = self.kicks.unwrap_or(sites.len() as u64);
         let work = 4 * (sites.len() as u64).saturating_add(kicks.saturating_mul(4));
-        let mut limits = Limits::new(self.moves, deadline, work, proximity.watch);
+        let mut limits = Limits::new(self.moves, self.time, clock, work, proximity.watch);
         let is_settled = improvement.run(&mut limits, kicks)?;
         let moves = improvement.moves;
         let order = improvement.into_order();

@@ -1,15 +1,15 @@
 //! What may stop the work: the budget, and the watch.
 
+use crate::clock::Clock;
 use crate::delaunay::check_number;
 use crate::{Budget, Outcome, Phase, Watch};
-use std::time::Instant;
 
 /// Steps between two looks at the watch and the clock.
 const STRIDE: usize = 1 << 8;
 
 pub(super) struct Limits<'a> {
     budget: Budget,
-    start: Instant,
+    clock: Clock,
     watch: &'a dyn Watch,
     steps: usize,
 }
@@ -18,7 +18,7 @@ impl<'a> Limits<'a> {
     pub fn new(budget: Budget, watch: &'a dyn Watch) -> Self {
         Self {
             budget,
-            start: Instant::now(),
+            clock: Clock::start(),
             watch,
             steps: 0,
         }
@@ -43,7 +43,7 @@ impl<'a> Limits<'a> {
             .progress(Phase::Refine, done, done + waiting as u64);
         if self.watch.is_cancelled() {
             Err(Outcome::Cancelled)
-        } else if self.budget.time.is_some_and(|t| self.start.elapsed() >= t) {
+        } else if self.budget.time.is_some_and(|t| self.clock.elapsed() >= t) {
             Err(Outcome::BudgetExhausted)
         } else {
             Ok(())

@@ -7,8 +7,8 @@
 //! smooth. In the water are soundings on a lattice, each moved a little. Metres are kept, the rest is
 //! rounded.
 
-use super::scene::Sheet;
-use delone_samples::Random;
+use super::Sheet;
+use crate::Random;
 
 /// The markers of the segments.
 const SHORE: i32 = 1;

@@ -1,12 +1,16 @@
 //! Domains of one size, each there to show something.
 
-use super::{grid, lake, thesis};
-use delone::{Point, Pslg, Region, VertexId};
-use delone_io::DomainData;
+mod gallery;
+mod grid;
+mod lake;
+mod thesis;
+
+use crate::{UnknownName, names};
 use std::fmt;
+use std::str::FromStr;
 
 /// A domain to try things on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scene {
     /// A lake with a river, islands, a pond on one of them, deep and shallow water.
     Lake,
@@ -17,15 +21,24 @@ pub enum Scene {
     ThesisTwo,
     /// A lattice with segments along, across and through its points; some repeat, overlap or cross.
     DegenerateGrid,
+    /// All points that integer coordinates have on one circle.
+    Cocircular,
+    /// Points on one line, unevenly spaced.
+    Collinear,
+    /// A gallery of degenerate point sets, side by side.
+    Gallery,
 }
 
 impl Scene {
     /// All of them, in the order of the list.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 7] = [
         Self::Lake,
         Self::Thesis,
         Self::ThesisTwo,
         Self::DegenerateGrid,
+        Self::Cocircular,
+        Self::Collinear,
+        Self::Gallery,
     ];
 
     /// Returns the name by which commands call it.
@@ -35,6 +48,9 @@ impl Scene {
             Self::Thesis => "thesis",
             Self::ThesisTwo => "thesis-two",
             Self::DegenerateGrid => "degenerate-grid",
+            Self::Cocircular => "cocircular",
+            Self::Collinear => "collinear",
+            Self::Gallery => "gallery",
         }
     }
 
@@ -45,18 +61,23 @@ impl Scene {
             Self::Thesis => "an outline with a triangular hole (thesis, Ulm 2012, example 1.16)",
             Self::ThesisTwo => "the same and a second outline beside it (example 1.33)",
             Self::DegenerateGrid => "a lattice, segments along, through and across: some cross",
+            Self::Cocircular => "60 points, exactly on one circle: every in-circle test is zero",
+            Self::Collinear => "points on one line: no triangle at all",
+            Self::Gallery => "a lattice, a line, a circle, equal points, a fan: side by side",
         }
     }
 
     /// Draws it, the same on every machine.
-    pub fn draw(self) -> DomainData {
+    pub fn draw(self) -> Sheet {
         match self {
             Self::Lake => lake::draw(),
             Self::Thesis => thesis::draw(),
             Self::ThesisTwo => thesis::draw_two(),
             Self::DegenerateGrid => grid::draw(),
+            Self::Cocircular => gallery::cocircular(),
+            Self::Collinear => gallery::collinear(),
+            Self::Gallery => gallery::draw(),
         }
-        .finish()
     }
 }
 
@@ -66,21 +87,32 @@ impl fmt::Display for Scene {
     }
 }
 
-/// What scenes are drawn on.
-#[derive(Default)]
-pub(super) struct Sheet {
+impl FromStr for Scene {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        names::find("scene", &Self::ALL, Self::name, name)
+    }
+}
+
+/// What scenes are drawn on: a drawing that says of each segment what it is, and of regions what they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sheet {
+    /// The points, ends of segments and loose ones alike.
     pub points: Vec<[f64; 2]>,
+    /// The two ends of each segment, as indices of points.
     pub segments: Vec<[u32; 2]>,
     /// One for each segment: tells what it is.
     pub markers: Vec<i32>,
+    /// A point in each hole.
     pub holes: Vec<[f64; 2]>,
-    /// Places and attributes.
+    /// A point in each region, and its attribute.
     pub regions: Vec<([f64; 2], f64)>,
 }
 
 impl Sheet {
     /// Adds a polyline with points of its own.
-    pub fn add_line(&mut self, marker: i32, points: impl IntoIterator<Item = [f64; 2]>) {
+    fn add_line(&mut self, marker: i32, points: impl IntoIterator<Item = [f64; 2]>) {
         let first = self.points.len() as u32;
         self.points.extend(points);
         let last = self.points.len() as u32;
@@ -90,7 +122,7 @@ impl Sheet {
     }
 
     /// Adds a closed ring with points of its own.
-    pub fn add_ring(&mut self, marker: i32, points: impl IntoIterator<Item = [f64; 2]>) {
+    fn add_ring(&mut self, marker: i32, points: impl IntoIterator<Item = [f64; 2]>) {
         let first = self.points.len() as u32;
         self.add_line(marker, points);
         let last = self.points.len() as u32 - 1;
@@ -98,29 +130,9 @@ impl Sheet {
     }
 
     /// Adds a segment between points that are there.
-    pub fn add_segment(&mut self, marker: i32, ends: [u32; 2]) {
+    fn add_segment(&mut self, marker: i32, ends: [u32; 2]) {
         self.segments.push(ends);
         self.markers.push(marker);
-    }
-
-    fn finish(self) -> DomainData {
-        let vertex = |v: u32| VertexId::new(v as usize);
-        let segments = self.segments.into_iter().map(|ends| ends.map(vertex));
-        let region = |(at, attribute): ([f64; 2], f64)| Region {
-            at: at.into(),
-            attribute,
-            max_area: None,
-        };
-        let pslg = Pslg {
-            segments: segments.collect(),
-            holes: self.holes.into_iter().map(Point::from).collect(),
-            regions: self.regions.into_iter().map(region).collect(),
-            ..Pslg::from_points(self.points)
-        };
-        DomainData {
-            segment_markers: Some(self.markers),
-            ..pslg.into()
-        }
     }
 }
 
@@ -131,20 +143,20 @@ mod tests {
     #[test]
     fn every_segment_has_ends_and_a_marker() {
         for scene in Scene::ALL {
-            let domain = scene.draw();
-            let markers = domain.segment_markers.expect("markers");
-            assert_eq!(domain.segments.len(), markers.len(), "{scene}");
-            let n = domain.vertices.points.len();
-            assert!(domain.segments.iter().flatten().all(|v| v.index() < n));
+            let sheet = scene.draw();
+            assert_eq!(sheet.segments.len(), sheet.markers.len(), "{scene}");
+            let n = sheet.points.len() as u32;
+            assert!(sheet.segments.iter().flatten().all(|&v| v < n));
+            assert_eq!(scene.name().parse(), Ok(scene));
         }
     }
 
     #[test]
     fn coordinates_have_three_decimals_at_most() {
         for scene in Scene::ALL {
-            for p in scene.draw().vertices.points {
-                let short = |c: f64| (c * 1e3).round() / 1e3 == c;
-                assert!(short(p.x) && short(p.y), "{scene}: {p:?}");
+            for p in scene.draw().points {
+                let is_short = |c: f64| (c * 1e3).round() / 1e3 == c;
+                assert!(p.into_iter().all(is_short), "{scene}: {p:?}");
             }
         }
     }
@@ -152,11 +164,11 @@ mod tests {
     #[test]
     fn the_rings_of_the_thesis_are_closed() {
         for (scene, n) in [(Scene::Thesis, 9), (Scene::ThesisTwo, 14)] {
-            let domain = scene.draw();
-            assert_eq!(domain.vertices.points.len(), n);
+            let sheet = scene.draw();
+            assert_eq!(sheet.points.len(), n as usize);
             for v in 0..n {
-                let ends = domain.segments.iter().flatten();
-                assert_eq!(ends.filter(|end| end.index() == v).count(), 2, "{scene}");
+                let ends = sheet.segments.iter().flatten();
+                assert_eq!(ends.filter(|&&end| end == v).count(), 2, "{scene}");
             }
         }
     }
@@ -164,13 +176,18 @@ mod tests {
     #[test]
     fn the_lake_is_always_the_same() {
         let lake = Scene::Lake.draw();
-        let points = &lake.vertices.points;
-        assert_eq!((lake.segments.len(), points.len()), (522, 628));
+        assert_eq!((lake.segments.len(), lake.points.len()), (522, 628));
         assert_eq!((lake.holes.len(), lake.regions.len()), (6, 3));
-        let markers = lake.segment_markers.expect("markers");
-        assert!((1..=6).all(|marker| markers.contains(&marker)));
+        assert!((1..=6).all(|marker| lake.markers.contains(&marker)));
         // Pictures and hashes in the documentation rest on it.
-        let sum: f64 = points.iter().map(|p| p.x + 2.0 * p.y).sum();
+        let sum: f64 = lake.points.iter().map(|[x, y]| x + 2.0 * y).sum();
         assert_eq!(format!("{sum:.3}"), "10860.733");
+    }
+
+    #[test]
+    fn cocircular_points_are_all_that_there_are() {
+        let points = Scene::Cocircular.draw().points;
+        assert_eq!(points.len(), 60);
+        assert!(points.iter().all(|[x, y]| x * x + y * y == 325.0 * 325.0));
     }
 }

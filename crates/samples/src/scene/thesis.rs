@@ -3,7 +3,7 @@
 //! beside it. The coordinates of the latter are not printed; ours are like those of the figure's
 //! first part: small, and half integers.
 
-use super::scene::Sheet;
+use super::Sheet;
 
 /// The marker of the outline.
 const OUTLINE: i32 = 1;

@@ -1,7 +1,7 @@
 //! A lattice on which everything degenerate happens at once: cocircular points, collinear ones,
 //! segments through vertices, on each other, and across each other.
 
-use super::scene::Sheet;
+use super::Sheet;
 
 /// Points along a side. Even, so that the diagonals cross where no lattice point is.
 const SIDE: u32 = 8;

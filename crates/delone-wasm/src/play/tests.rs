@@ -1,0 +1,113 @@
+//! Every algorithm, played from one end to the other and back.
+
+use super::*;
+
+fn drawing(algorithm: &str) -> Drawing {
+    let preset = match algorithm {
+        "thesis" | "sweep" | "edge-flip" | "segment-walk" => "thesis",
+        _ => "uniform",
+    };
+    Drawing::preset(preset, 30, 1).expect("a preset")
+}
+
+#[test]
+fn every_algorithm_plays_to_the_end_and_back() {
+    for algorithm in Algorithm::ALL {
+        let name = algorithm.about().name;
+        let mut player = Player::run(name, &drawing(name), None).expect(name);
+        let first = player.points();
+        for position in 0..=player.length() {
+            player.seek(position).expect("a step that fits");
+            let step = player.step();
+            assert_eq!(step == "null", position == 0, "{name}");
+            assert!(!step.contains(r#""kind":"other""#), "{name}: {step}");
+            let said = player.narration("de").expect("German");
+            assert_eq!(said.is_empty(), position == 0, "{name}: {step}");
+            assert!(usize::from(player.line()) <= algorithm.about().code.len());
+        }
+        assert_eq!(player.edges().len(), 2 * player.locked().len());
+        player.seek(0).expect("the beginning");
+        assert_eq!(
+            (player.points(), player.edges().len()),
+            (first, 0),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn the_result_is_that_of_the_library() {
+    let drawing = drawing("incremental");
+    let mut player = Player::run("incremental", &drawing, None).expect("a run");
+    player.seek(u32::MAX).expect("the end");
+    let mesh = crate::mesh::Mesh::triangulate(&drawing, None).expect("a mesh");
+    assert_eq!(player.hash(), mesh.hash());
+    assert!(player.tally().contains(r#""circleTests":"#));
+}
+
+#[test]
+fn kinds_name_events_as_logs_do() {
+    for algorithm in Algorithm::ALL {
+        let name = algorithm.about().name;
+        let player = Player::run(name, &drawing(name), None).expect(name);
+        for step in player.steps() {
+            let kind = seeking::kind(&step.event);
+            let written = json::write(&step.event);
+            assert!(written.starts_with(&format!(r#"{{"{kind}":"#)), "{written}");
+        }
+    }
+}
+
+#[test]
+fn steps_are_found_by_kind_in_both_directions() {
+    let player = Player::run("flip-list", &drawing("flip-list"), None).expect("a run");
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(next) = player.next("flip", at).expect("a kind") {
+        found.push(next);
+        at = next;
+    }
+    assert!(!found.is_empty());
+    let mut back = Vec::new();
+    let mut at = player.length() + 1;
+    while let Some(previous) = player.previous("edge-flipped", at).expect("a kind") {
+        back.push(previous);
+        at = previous;
+    }
+    back.reverse();
+    assert_eq!(found, back);
+    assert_eq!(
+        player.next("result", 0).expect("a kind"),
+        Some(player.length())
+    );
+    assert_eq!(player.next("flip", u32::MAX).expect("a kind"), None);
+    player.next("flop", 0).expect_err("no such kind");
+    player.waiting("somewhere").expect_err("no such queue");
+}
+
+#[test]
+fn runs_are_saved_and_read_again() {
+    let player = Player::run("sweep", &drawing("sweep"), None).expect("a run");
+    for name in ["run.dlog", "run.json"] {
+        let files = player.save(name, None).expect("a log");
+        let again = Player::from_log(name, &files[0].bytes()).expect("a run");
+        assert_eq!(again.recording, player.recording);
+    }
+    let options = r#"{"size": 100, "seconds": 1, "maxFrames": 10, "frames": 4}"#.to_owned();
+    for name in ["run.svg", "run.gif", "run.png"] {
+        let files = player.save(name, Some(options.clone())).expect(name);
+        assert!(!files[0].bytes().is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn what_is_not_there_is_refused() {
+    let drawing = drawing("sweep");
+    let unknown = Player::run("quicksort", &drawing, None)
+        .err()
+        .expect("unknown");
+    assert!(unknown.to_string().contains("greedy-flips"));
+    let options = Some(r#"{"sede": 1}"#.to_owned());
+    assert!(Player::run("sweep", &drawing, options).is_err());
+    assert!(Player::from_log("a.dlog", b"nonsense").is_err());
+}

@@ -1,0 +1,156 @@
+// The browser module does what the program does, bit for bit, and every algorithm plays to its end and back.
+//
+//   cargo run -p delone-web-build --release && cargo build -p delone-cli --release && node web/tests/module.mjs
+//
+// DELONE names another program than target/release/delone.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { Drawing, Mesh, Player, initSync, version } from "../src/wasm/delone.js";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const program = process.env.DELONE ?? here("../../target/release/delone");
+const folder = mkdtempSync(join(tmpdir(), "delone-module-"));
+
+initSync({ module: readFileSync(here("../src/wasm/delone_bg.wasm")) });
+
+const milliseconds = (work) => {
+  const begin = performance.now();
+  const result = work();
+  return [result, performance.now() - begin];
+};
+
+const native = (...args) => JSON.parse(execFileSync(program, [...args, "--json", "-q"], { encoding: "utf8" }));
+
+// Writes a sample by the program, and returns its file.
+const sample = (name, count, extension) => {
+  const file = join(folder, `${name}.${extension}`);
+  execFileSync(program, ["sample", name, "-n", String(count), "--seed", "1", "-q", "-o", file]);
+  return file;
+};
+
+// name, count, extension of its file, whether it has segments
+const presets = [
+  ["uniform", 5000, "csv", false],
+  ["grid", 2500, "npy", false],
+  ["f32-duplicates", 5000, "node", false],
+  ["cocircular", 0, "poly", false],
+  ["gallery", 0, "poly", false],
+  ["lake", 0, "poly", true],
+  ["coast", 3000, "poly", true],
+  ["airfoil", 1000, "poly", true],
+];
+
+const hashesAgree = () => {
+  for (const [name, count, extension, hasSegments] of presets) {
+    const file = sample(name, count, extension);
+    const expected = native("triangulate", file).hash;
+    const drawings = [Drawing.preset(name, count, 1), Drawing.fromFile(`${name}.${extension}`, readFileSync(file))];
+    for (const drawing of drawings) {
+      const mesh = hasSegments ? Mesh.constrain(drawing) : Mesh.triangulate(drawing);
+      assert.equal(mesh.hash(), expected, name);
+    }
+    console.log(`  ${name}: ${expected}`);
+  }
+};
+
+const refinementAgrees = () => {
+  for (const [name, options, args] of [
+    ["lake", { minAngle: 30, maxEdge: 0.25 }, ["--min-angle", "30", "--max-edge", "0.25"]],
+    ["airfoil", { minAngle: 25 }, []],
+    ["thesis", { minAngle: 20, maxArea: 0.01 }, ["--min-angle", "20", "--max-area", "0.01"]],
+  ]) {
+    const expected = native("mesh", sample(name, 300, "poly"), ...args).hash;
+    let calls = 0;
+    const drawing = Drawing.preset(name, 300, 1);
+    const mesh = Mesh.refine(drawing, JSON.stringify(options), () => void (calls += 1));
+    assert.equal(mesh.hash(), expected, name);
+    assert.equal(JSON.parse(mesh.quality()).outcome, "complete");
+    assert(calls > 0);
+    console.log(`  ${name}: ${expected}, ${mesh.triangles().length / 3} triangles`);
+  }
+};
+
+const everyAlgorithmPlays = () => {
+  for (const { name, takes } of JSON.parse(Player.algorithms())) {
+    const drawing = Drawing.preset(takes === "domain" || name === "thesis" ? "thesis" : "uniform", 40, 1);
+    const player = Player.run(name, drawing);
+    for (let i = 0; i <= player.length; i++) {
+      player.seek(i);
+      const step = JSON.parse(player.step());
+      assert.equal(step === null, i === 0);
+      assert.equal(player.narration("en") === "", i === 0, `${name}: ${player.step()}`);
+      assert.equal(player.narration("de") === "", i === 0);
+      assert(player.line <= JSON.parse(player.code()).length);
+    }
+    const end = [player.hash(), ...player.edges(), ...player.triangles()];
+    for (let i = player.length; i >= 0; i--) player.seek(i);
+    assert.equal(player.edges().length, 0);
+    player.seek(player.length);
+    assert.deepEqual([player.hash(), ...player.edges(), ...player.triangles()], end);
+    console.log(`  ${name}: ${player.length} steps`);
+  }
+};
+
+const longRunsAreSoughtQuickly = () => {
+  const drawing = Drawing.preset("uniform", 20000, 1);
+  const [player, ran] = milliseconds(() => Player.run("divide-and-conquer", drawing));
+  const [, first] = milliseconds(() => player.seek(player.length));
+  let worst = 0;
+  for (let i = 1; i <= 40; i++) {
+    const [, took] = milliseconds(() => player.seek((i * 7919 * 7919) % player.length));
+    worst = Math.max(worst, took);
+  }
+  const figures = [ran, first, worst].map((ms) => `${ms.toFixed(1)} ms`);
+  console.log(`  ${player.length} steps: run ${figures[0]}, first time to the end ${figures[1]}, worst seek ${figures[2]}`);
+};
+
+const filesAreWritten = () => {
+  const drawing = Drawing.preset("lake", 0, 0);
+  const mesh = Mesh.refine(drawing, '{"minAngle": 25}');
+  for (const name of ["m.ele", "m.vtu", "m.npy", "m.geojson", "m.svg", "m.png"]) {
+    assert(mesh.save(name).every((file) => file.bytes().length > 0));
+  }
+  assert(mesh.saveReport("r.html", "lake")[0].bytes().length > 1000);
+  assert(mesh.saveCells("c.svg")[0].bytes().length > 1000);
+  assert(drawing.save("d.poly")[0].bytes().length > 1000);
+  const player = Player.run("incremental", Drawing.preset("uniform", 12, 1));
+  for (const name of ["p.svg", "p.gif", "p.png", "p.json", "p.dlog"]) {
+    const [file] = player.save(name, '{"size": 300, "maxFrames": 20}');
+    assert.equal(file.name, name);
+    if (name === "p.dlog") assert.equal(Player.fromLog(name, file.bytes()).length, player.length);
+  }
+};
+
+const errorsAreErrors = () => {
+  const refused = (work, pattern) => assert.throws(work, (e) => e instanceof Error && pattern.test(e.message));
+  refused(() => Drawing.fromFile("a.csv", new TextEncoder().encode("x,y\n1,2\n3,oops\n")), /a\.csv:3/);
+  refused(() => new Drawing([0, 0, 1, 1], [0, 2], []), /segment 0 joins 0 and 2/);
+  refused(() => Drawing.preset("pond", 1, 1), /no preset is called/);
+  refused(() => Mesh.triangulate(new Drawing([0, NaN], [], [])), /./);
+  refused(() => Mesh.refine(Drawing.preset("lake", 0, 0), '{"minangle": 3}'), /options: /);
+  refused(() => Mesh.constrain(Drawing.preset("degenerate-grid", 0, 0)), /cross/);
+  refused(() => Mesh.triangulate(Drawing.preset("uniform", 100000, 1), () => false), /cancel/i);
+};
+
+const check = (name, work) => {
+  console.log(`${name} (${milliseconds(work)[1].toFixed(0)} ms)`);
+};
+
+try {
+  console.log(`module of version ${version()}`);
+  check("hashes agree with the program's", hashesAgree);
+  check("refined meshes agree with the program's", refinementAgrees);
+  check("every algorithm plays", everyAlgorithmPlays);
+  check("long runs are sought quickly", longRunsAreSoughtQuickly);
+  check("files are written", filesAreWritten);
+  check("errors are errors", errorsAreErrors);
+  const [mesh, took] = milliseconds(() => Mesh.triangulate(Drawing.preset("uniform", 1000000, 1)));
+  console.log(`1,000,000 points drawn and triangulated in ${took.toFixed(0)} ms: ${mesh.hash()}`);
+} finally {
+  rmSync(folder, { recursive: true });
+}
