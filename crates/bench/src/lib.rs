@@ -6,8 +6,8 @@
 //! - [`job`]: what a child process does; [`process`]: how it is run and what becomes of it.
 //! - [`plan`]: which cells are checked and timed, in which order.
 //! - [`report`]: tables in Markdown, everything in JSON; [`machine`]: what they must state.
-//! - [`refine`]: the same for refinement; [`queries`]: the same for queries, cells, surfaces and edits. Both
-//!   share [`effort`], [`peer`], [`workshop`], [`python`] and [`heading`].
+//! - [`refine`]: the same for refinement; [`queries`]: the same for queries, cells, surfaces and edits;
+//!   [`cover`]: the same for covers of data. All share [`effort`], [`peer`], [`workshop`], [`python`] and [`heading`].
 //!
 //! **Discipline.** Every triangulation that counts as *fresh* has a process of its own, on the same
 //! input for all engines; some warm-up processes are discarded, the median of the others counts,
@@ -16,6 +16,7 @@
 //! anything is timed, every engine's result is compared with the numbers of triangles and
 //! constrained edges that there must be ([`expected`]). Nothing is pinned to a core and no priority is changed.
 
+pub mod cover;
 pub mod effort;
 pub mod engines;
 pub mod expected;

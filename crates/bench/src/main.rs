@@ -1,5 +1,6 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
+mod cover_command;
 mod peers_option;
 mod queries_command;
 mod refine_command;
@@ -39,6 +40,8 @@ enum Action {
     Refine(refine_command::Options),
     /// Measures queries, cells, surfaces and edits
     Queries(queries_command::Options),
+    /// Measures covers of data: triangles with enough of them each, and not too many
+    Cover(cover_command::Options),
     /// Does one job in this process and prints what it found as JSON; the table maker calls this
     #[command(hide = true)]
     Job(Job),
@@ -48,6 +51,9 @@ enum Action {
     /// The same for queries
     #[command(hide = true)]
     QueryJob(delone_bench::queries::job::Job),
+    /// The same for covers
+    #[command(hide = true)]
+    CoverJob(delone_bench::cover::job::Job),
 }
 
 #[derive(Args)]
@@ -114,9 +120,11 @@ fn main() -> ExitCode {
         Some(Action::Profile(profile)) => print_profile(&profile),
         Some(Action::Refine(options)) => refine_command::print_tables(options, command()),
         Some(Action::Queries(options)) => queries_command::print_tables(options, command()),
+        Some(Action::Cover(options)) => cover_command::print_tables(options, command()),
         Some(Action::Job(job)) => print_answer(job.run()),
         Some(Action::MeshJob(job)) => print_answer(job.run()),
         Some(Action::QueryJob(job)) => print_answer(job.run()),
+        Some(Action::CoverJob(job)) => print_answer(job.run()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -58,9 +58,9 @@ pub struct Actor<E, F> {
 }
 
 #[cfg(test)]
-impl<E: Errand + Copy, F: Fn(&E) -> Result<E::Answer, Fault>> Worker<E> for Actor<E, F> {
+impl<E: Errand + Clone, F: Fn(&E) -> Result<E::Answer, Fault>> Worker<E> for Actor<E, F> {
     fn run(&self, errand: &E, _: Duration) -> Result<E::Answer, Fault> {
-        self.asked.borrow_mut().push(*errand);
+        self.asked.borrow_mut().push(errand.clone());
         (self.answer)(errand)
     }
 }

@@ -221,3 +221,35 @@ fn unknown_names_are_refused_with_the_known_ones() {
     let complaint = String::from_utf8(bench(&["--peers=qhull"]).stderr).unwrap();
     assert!(complaint.contains("spade-stable"), "{complaint}");
 }
+
+#[test]
+fn covers_are_checked_timed_and_drawn() {
+    let [json, plot] = ["cover.json", "cover.svg"].map(scratch_file);
+    let output = bench(&[
+        "cover",
+        "--sizes=300,600",
+        "--data=uniform,tracks",
+        "--least=6",
+        "--runs=2",
+        "--warmups=0",
+        "--json",
+        json.to_str().expect("a path in UTF-8"),
+        "--plot",
+        plot.to_str().expect("a path in UTF-8"),
+    ]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{text}");
+    // Times, and what comes out.
+    assert_eq!(text.matches("\n| tracks  |   600 |").count(), 2, "{text}");
+    assert!(text.contains("no peer"), "{text}");
+    let drawn = std::fs::read_to_string(plot).unwrap();
+    assert!(drawn.contains("Algorithm B"), "{drawn}");
+    let json = std::fs::read_to_string(json).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let cells = report["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 4);
+    for cell in cells {
+        assert_eq!(cell["runs"].as_array().map(Vec::len), Some(2), "{cell}");
+        assert_eq!(cell["facts"]["special"], 0, "{cell}");
+    }
+}

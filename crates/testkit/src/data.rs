@@ -88,10 +88,14 @@ fn line_and_point(n: usize, random: &mut Random) -> Vec<Point> {
 /// Data to a track, about.
 const TRACK: usize = 25;
 
+/// Within which ships set out, at least; where many do the sea is wider, so that few data coincide.
+const SEA: usize = 400;
+
 fn ship_tracks(n: usize, random: &mut Random) -> Vec<Point> {
     let mut data = Vec::with_capacity(n);
+    let sea = SEA.max(4 * n.isqrt());
     while data.len() < n {
-        let start = [0; 2].map(|_| random.below(400) as i64);
+        let start = [0; 2].map(|_| random.below(sea) as i64);
         let way = direction(random);
         let mut step = 0;
         for _ in 0..TRACK.min(n - data.len()) {

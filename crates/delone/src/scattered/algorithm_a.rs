@@ -3,13 +3,14 @@
 //!
 //! The text triangulates anew for every center. Here a center that goes is removed from the triangulation and the two
 //! that come are inserted, and only the data of triangles that change are dealt out again; since the Delaunay
-//! triangulation is unique, the result is the same.
+//! triangulation is unique, the result is the same. And a polygon that must fail is not tried: see [`Witness`].
 
 use super::Cover;
 use super::centers::Centers;
 use super::field::Field;
 use super::outline::{Outline, Reduction};
 use super::trial::{Short, Trial, triangulate};
+use super::witness::Witness;
 use crate::{Error, Event, Observer, Point, Stage, TriangleId, VertexId};
 
 /// Its pseudocode.
@@ -43,12 +44,12 @@ pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(
             while !field.is_watched()
                 && is_hopeless(outline, field.data.points.len(), options.least)
             {
-                reduce(field, outline);
-                field.spend(8)?;
+                reduce_once(field, outline);
+                field.spend(64)?;
             }
         }
         let corners = polygon.corners();
-        let too_empty = match best(field, &corners, centers.clone(), options)? {
+        let failure = match best(field, &polygon, &corners, centers.clone(), options)? {
             Ok(inner) => {
                 field.at(9);
                 let triangles = triangulate(&corners, &inner)?;
@@ -57,11 +58,11 @@ pub(super) fn run(field: &mut Field<impl Observer>, options: &Cover) -> Result<(
                 end(field, Stage::Clusters);
                 return Ok(());
             }
-            Err(too_empty) => too_empty,
+            Err(failure) => failure,
         };
         match &mut polygon {
-            Polygon::Free(outline) => reduce(field, outline),
-            Polygon::Given(_) => return Err(too_empty),
+            Polygon::Free(outline) => reduce(field, outline, failure.witnesses.as_deref())?,
+            Polygon::Given(_) => return Err(failure.too_empty),
         }
     }
 }
@@ -89,18 +90,30 @@ impl Polygon {
     }
 }
 
+/// Why no triangulation was good.
+struct Failure {
+    /// The first one.
+    too_empty: Error,
+    /// What shows, for each triangulation that was tried, that the like of it in another polygon is no good either.
+    witnesses: Option<Vec<Witness>>,
+}
+
 /// Finds the last good triangulation that has these corners, and returns its vertices besides; or why there is none.
 fn best<'a>(
     field: &mut Field<'a, impl Observer>,
+    polygon: &Polygon,
     corners: &[Point],
     centers: Centers<'a>,
     options: &Cover,
-) -> Result<Result<Vec<Point>, Error>, Error> {
+) -> Result<Result<Vec<Point>, Failure>, Error> {
     let least = options.least;
     let mut trial = Trial::begin(field, corners, centers)?;
     let mut best = match trial.judge(least, [3, 3]) {
         None => Ok(Vec::new()),
-        Some(t) => Err(too_empty(trial.field, t, least)),
+        Some(t) => Err(Failure {
+            too_empty: too_empty(trial.field, t, least),
+            witnesses: witness(&trial, polygon, least).map(|first| vec![first]),
+        }),
     };
     let mut misses = 0;
     while options.inner_points && misses < options.misses {
@@ -113,9 +126,28 @@ fn best<'a>(
             None => (best, misses) = (Ok(trial.inner_points()), 0),
             Some(_) => misses += 1,
         }
+        if let Err(failure) = &mut best
+            && let Some(mut witnesses) = failure.witnesses.take()
+        {
+            failure.witnesses = witness(&trial, polygon, least).map(|next| {
+                witnesses.push(next);
+                witnesses
+            });
+        }
     }
     trial.end();
     Ok(best)
+}
+
+/// Looks for a triangle that shows that other polygons are no good either; not for who watches and wants to see that, nor
+/// where a center is hidden by a corner that may go.
+fn witness(trial: &Trial<impl Observer>, polygon: &Polygon, least: usize) -> Option<Witness> {
+    match polygon {
+        Polygon::Free(outline) if !trial.field.is_watched() && trial.has_all_centers() => {
+            Witness::find(trial.field, outline, least)
+        }
+        _ => None,
+    }
 }
 
 /// Refuses a triangulation one of whose triangles cannot hold enough; chooses who holds what so that all do.
@@ -137,16 +169,39 @@ fn too_empty(field: &Field<impl Observer>, t: TriangleId, least: usize) -> Error
     }
 }
 
-/// Makes the outer polygon smaller by a corner.
-fn reduce(field: &mut Field<impl Observer>, outline: &mut Outline) {
+/// Makes the outer polygon smaller by a corner, and goes on as long as witnesses show that it is no good.
+///
+/// # Errors
+/// [`Error::Cancelled`].
+fn reduce(
+    field: &mut Field<impl Observer>,
+    outline: &mut Outline,
+    witnesses: Option<&[Witness]>,
+) -> Result<(), Error> {
+    loop {
+        let reduction = reduce_once(field, outline);
+        field.spend(64)?;
+        let survives = |witness: &Witness| witness.survives(outline, &reduction);
+        if !witnesses.is_some_and(|all| all.iter().all(survives)) {
+            return Ok(());
+        }
+    }
+}
+
+fn reduce_once(field: &mut Field<impl Observer>, outline: &mut Outline) -> Reduction {
     field.at(8);
-    let numbers: Vec<_> = outline.corners().map(|(number, _)| number).collect();
+    let numbers: Vec<_> = match field.is_watched() {
+        true => outline.corners().map(|(number, _)| number).collect(),
+        false => Vec::new(),
+    };
     let vertex = |number| VertexId::new(numbers.partition_point(|&other| other < number));
-    let edge = match outline.reduce().expect("bug: a triangle holds all data") {
+    let reduction = outline.reduce().expect("bug: a triangle holds all data");
+    let edge = match reduction {
         Reduction::Edge { ends, .. } => Some(ends.map(|number| field.name(vertex(number)))),
         Reduction::Enclosed => None,
     };
     field.tell(|| Event::OuterReduced { edge });
+    reduction
 }
 
 fn end(field: &mut Field<impl Observer>, stage: Stage) {

@@ -12,7 +12,7 @@
 //! triangle that changes.
 
 use super::Cover;
-use super::edges::{Found, Listener, Plot, is_free, search};
+use super::edges::{Found, Listener, Plot, search};
 use super::field::Field;
 use super::ranking::Ranking;
 use crate::predicates::{Orientation, compare_lengths, cross_properly, orient2d};
@@ -237,8 +237,7 @@ fn find(
         false => Listener::Nobody,
     };
     let found = search(&plot, options.least, options.bisections, listener)?;
-    let draft = &field.draft;
-    let is_good = way != Way::Outer || is_free(&draft.mesh, h, found.at, |v| draft.point(v));
+    let is_good = way != Way::Outer || field.is_free(h, found.at);
     is_good.then_some(found)
 }
 

@@ -49,6 +49,7 @@ mod share;
 mod sheet;
 mod stock;
 mod trial;
+mod witness;
 
 pub(crate) use algorithm_a::CODE_A;
 pub(crate) use algorithm_b::CODE_B;

@@ -152,6 +152,11 @@ impl<'f, 'a, O: Observer> Trial<'f, 'a, O> {
         }
     }
 
+    /// Tells whether every center is a vertex of its own.
+    pub fn has_all_centers(&self) -> bool {
+        self.is_vertex.iter().all(|&is_vertex| is_vertex)
+    }
+
     /// Lists the centers that are vertices.
     pub fn inner_points(&self) -> Vec<Point> {
         let vertices = self

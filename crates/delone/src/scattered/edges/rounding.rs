@@ -1,7 +1,8 @@
 //! Points for places on an edge of the outline: on its line, or outside, so that no datum is left out.
 
+use super::rim::Rim;
 use crate::predicates::{Orientation, compare_distances, cross_properly, is_between, orient2d};
-use crate::{HalfEdgeId, Mesh, Point, VertexId};
+use crate::{Point, VertexId};
 
 /// Returns the point nearest to `t`, rounded from a place on `ab`, that is not to the left of ab: `t` itself, or one up
 /// to two steps away in each coordinate. Of equally near ones the lexicographically smallest.
@@ -25,27 +26,13 @@ pub(super) fn outward([a, b]: [Point; 2], t: Point) -> Option<Point> {
     })
 }
 
-/// Tells whether an outer edge may go by way of `t`, on its line or outside, without meeting the outline elsewhere, as it
-/// might where that is not convex.
+/// Tells whether the outer edge `ab`, which starts at vertex `start`, may go by way of `t`, on its line or outside,
+/// without meeting the outline elsewhere, as it might where that is not convex.
 ///
-/// *Cost*: linear in the outline, unless `t` lies on the edge.
-pub(in super::super) fn is_free(
-    mesh: &Mesh,
-    h: HalfEdgeId,
-    t: Point,
-    point: impl Fn(VertexId) -> Point,
-) -> bool {
-    let ends = |h| [mesh.origin(h), mesh.dest(h)].map(&point);
-    let [a, b] = ends(h);
-    if orient2d(a, b, t) == Orientation::Collinear {
-        return true;
-    }
-    // From ghost to ghost, around the vertex at infinity.
-    let first = mesh.twin(h);
-    let onward = |g: HalfEdgeId| mesh.twin(g.next()).next();
-    let others = std::iter::successors(Some(onward(first)), |&g| Some(onward(g)));
-    let mut others = others.take_while(|&g| g != first).map(ends);
-    !others.any(|other| meets([a, t, b], other))
+/// *Cost*: that of a question to the [rim](Rim), unless `t` lies on the edge.
+pub(in super::super) fn is_free(rim: &Rim, start: VertexId, [a, b]: [Point; 2], t: Point) -> bool {
+    orient2d(a, b, t) == Orientation::Collinear
+        || !rim.has_near([a, t, b], start, |other| meets([a, t, b], other))
 }
 
 /// Tells whether an edge `pq` of the outline meets the way a–t–b, or p lies between that and the edge ab.

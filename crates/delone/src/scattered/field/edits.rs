@@ -133,6 +133,9 @@ impl<O: Observer> Field<'_, O> {
     ) -> Result<VertexId, Error> {
         let is_outer = self.is_outer(h);
         let v = self.create_vertex(at)?;
+        if let Some(rim) = self.rim.as_mut().filter(|_| is_outer) {
+            rim.divide(self.draft.mesh.origin(h), v, at);
+        }
         let mut held = self.stock.take(h.triangle());
         if !is_outer {
             let twin = self.draft.mesh.twin(h);

@@ -15,6 +15,7 @@ mod raise;
 mod telling;
 
 use super::data::Data;
+use super::edges::{Rim, is_free};
 use super::sheet::mesh_of;
 use super::stock::Stock;
 use crate::constrained::Draft;
@@ -36,6 +37,8 @@ pub(super) struct Field<'a, O> {
     /// Work since the watch was last asked, in predicates.
     work: usize,
     room: Room,
+    /// The outline, since somebody asked about it.
+    rim: Option<Rim>,
 }
 
 /// Predicates between two questions to the watch: a few milliseconds, even if none takes its fast way.
@@ -54,6 +57,7 @@ impl<'a, O: Observer> Field<'a, O> {
             pace: Pace::new(watch, Phase::Cover, expected as u64),
             work: 0,
             room: Room::default(),
+            rim: None,
         }
     }
 
@@ -72,6 +76,7 @@ impl<'a, O: Observer> Field<'a, O> {
         let mesh = mesh_of(triangles)?;
         self.tell_end();
         self.draft = Draft::new(points, mesh);
+        self.rim = None;
         self.stock = Stock::default();
         self.stock.set_number(self.draft.mesh.num_faces());
         let ghosts: Vec<_> = self.draft.mesh.ghosts().collect();
@@ -153,6 +158,14 @@ impl<'a, O: Observer> Field<'a, O> {
     pub fn is_outer(&self, h: HalfEdgeId) -> bool {
         let mesh = &self.draft.mesh;
         mesh.is_ghost(mesh.twin(h).triangle())
+    }
+
+    /// Tells whether an outer edge may go by way of `t`, on its line or outside, without meeting the outline elsewhere.
+    pub fn is_free(&mut self, h: HalfEdgeId, t: Point) -> bool {
+        let [a, b, _] = self.edge(h);
+        let (start, draft) = (self.draft.mesh.origin(h), &self.draft);
+        let look = || Rim::new(&draft.mesh, |v| draft.point(v));
+        is_free(self.rim.get_or_insert_with(look), start, [a, b], t)
     }
 
     /// Lists the positions of the data that a triangle holds.

@@ -51,6 +51,23 @@ impl<O: Observer> Field<'_, O> {
         true
     }
 
+    /// Counts the data in a closed triangle, whoever holds them.
+    pub fn most_that_could_be_held(&self, t: TriangleId) -> usize {
+        let corners = self.corners(t);
+        let may = |w: &TriangleId| {
+            let held = self.stock.held(*w).iter();
+            let candidates = held.filter(|held| held.may_be_on_border());
+            let there = candidates.filter(|held| {
+                let p = self.data.points[held.datum()];
+                contains(&corners, p).is_some()
+            });
+            there.count()
+        };
+        let around = self.around(t, Way::In, &mut BTreeSet::new());
+        let from_others: usize = around.iter().map(may).sum();
+        self.stock.count(t) + from_others
+    }
+
     /// Passes one datum along each link of a chain from `t` to a triangle that is an end; false if there is none.
     fn pass(&mut self, t: TriangleId, way: Way, is_end: impl Fn(usize) -> bool) -> bool {
         let mut links: BTreeMap<TriangleId, Option<Link>> = BTreeMap::from([(t, None)]);

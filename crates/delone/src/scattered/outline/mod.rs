@@ -93,6 +93,12 @@ impl Outline {
         self.ring.count
     }
 
+    /// Tells whether there is a corner of this number at this place.
+    pub fn has(&self, (number, at): (usize, Point)) -> bool {
+        let is_corner = self.ring.is_corner.get(number).copied();
+        is_corner == Some(true) && self.ring.at(number) == at
+    }
+
     /// Tells whether it is a triangle: it cannot be reduced any more then.
     pub fn is_triangle(&self) -> bool {
         self.num_corners() == 3
