@@ -59,9 +59,9 @@ pub(super) fn run_b(input: &Input, observer: &mut impl Observer) -> Result<Outpu
     options.refine(&start, observer).map(output)
 }
 
-/// Algorithm C, on what A makes: B leaves it little to do.
+/// Algorithm C, as the text searches, on what A makes: B leaves it little to do.
 pub(super) fn run_c(input: &Input, observer: &mut impl Observer) -> Result<Output, Error> {
-    let options = options(input).divides_edges(false);
+    let options = options(input).divides_edges(false).stepwise(true);
     let start = options
         .clone()
         .divides_triangles(false)

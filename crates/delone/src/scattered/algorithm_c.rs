@@ -6,7 +6,7 @@
 
 use super::algorithm_b::divide_at;
 use super::field::Field;
-use super::open::{conditions, open_at};
+use super::open::{conditions, open_at, open_stepwise};
 use super::{Cause, Cover, Exception};
 use crate::{Error, Event, Observer, Point, Stage, TriangleId};
 use std::cmp::Reverse;
@@ -66,7 +66,17 @@ fn divide(field: &mut Field<impl Observer>, t: TriangleId, options: &Cover) -> R
     let least = options.least;
     let data: Vec<Point> = field.data_of(t).collect();
     field.spend(8 * data.len())?;
-    let Some(opening) = open_at(field.corners(t), &data, least) else {
+    let corners = field.corners(t);
+    field.at(4);
+    let found = match options.is_stepwise {
+        true => open_stepwise(corners, &data, least, |at, counts| {
+            let [a, b, c] = counts.map(|count| count as u32);
+            let counts = [a, b, c, 0];
+            field.tell(|| Event::PlaceTried { at, counts });
+        }),
+        false => open_at(corners, &data, least),
+    };
+    let Some(opening) = found else {
         return Ok(false);
     };
     field.at(5);

@@ -27,6 +27,7 @@ pub struct Cover<'w> {
     pub(super) divides_edges: bool,
     pub(super) bisections: u32,
     pub(super) divides_triangles: bool,
+    pub(super) is_stepwise: bool,
     pub(super) optimizes: bool,
     pub(super) watch: &'w dyn Watch,
 }
@@ -66,6 +67,7 @@ impl<'w> Cover<'w> {
             divides_edges: true,
             bisections: 25,
             divides_triangles: true,
+            is_stepwise: false,
             optimizes: true,
             watch: &(),
         }
@@ -114,6 +116,15 @@ impl<'w> Cover<'w> {
     pub fn divides_triangles(self, divides_triangles: bool) -> Self {
         Self {
             divides_triangles,
+            ..self
+        }
+    }
+
+    /// Lets Algorithm C move its point step by step, exactly, as the text does (3.44): for study. By default it looks for
+    /// a place that divides the data about evenly, which is faster and has more room around it.
+    pub fn stepwise(self, is_stepwise: bool) -> Self {
+        Self {
+            is_stepwise,
             ..self
         }
     }
@@ -186,6 +197,29 @@ impl<'w> Cover<'w> {
         field.lay_out(given.points.clone(), &given.triangles)?;
         algorithm_a::require_filled(&mut field, self.least)?;
         self.divide(&mut field)
+    }
+
+    /// Flips edges of a triangulation, anywhere, as long as that makes the smallest angle of two triangles larger and
+    /// leaves at least d data in both: until it is locally optimal by the extended max-min-angle criterion (3.7).
+    ///
+    /// # Errors
+    /// As [`refine`](Self::refine).
+    ///
+    /// *Ends*: each flip makes the triangulation more Delaunay, and there are finitely many.
+    pub fn flip(
+        &self,
+        given: &DataTriangulation,
+        observer: &mut impl Observer,
+    ) -> Result<DataTriangulation, Error> {
+        self.require()?;
+        let data = Data::new(given.data.iter().copied())?;
+        self.require_data(&data)?;
+        let mut field = Field::new(&data, given.triangles.len(), self.watch, observer);
+        field.lay_out(given.points.clone(), &given.triangles)?;
+        algorithm_a::require_filled(&mut field, self.least)?;
+        field.optimize_all(self.least)?;
+        let exceptions = algorithm_c::untried(&field, self.least);
+        Ok(result::hand_out(&field, self.least, exceptions))
     }
 
     fn divide(&self, field: &mut Field<impl Observer>) -> Result<DataTriangulation, Error> {

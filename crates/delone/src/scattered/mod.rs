@@ -42,6 +42,7 @@ mod given;
 mod open;
 mod optimize;
 mod outline;
+mod pieces;
 mod ranking;
 mod result;
 mod schreiber;
@@ -56,6 +57,7 @@ pub(crate) use algorithm_b::CODE_B;
 pub(crate) use algorithm_c::CODE_C;
 pub use cover::{Cover, cover};
 pub use open::{Counting, Move, Next, PointSearch, SearchStep, Steps};
+pub use pieces::{cluster_centers, outer_polygon};
 pub use result::{Cause, DataTriangulation, Exception};
 pub use schreiber::{Cluster, Clustering, Clusters, Errors};
 

@@ -1,4 +1,4 @@
-//! Flips around a new vertex: chapter 3.21, with the extended max-min-angle criterion (3.37).
+//! Flips, around a new vertex or anywhere: chapter 3.21, with the extended max-min-angle criterion (3.37).
 //!
 //! The text calls what comes out locally optimal: it is at the edges opposite the vertex when they are looked at. It
 //! is not Delaunay in general, since an edge stays whose flip would leave a triangle with too few data.
@@ -29,6 +29,24 @@ impl<O: Observer> Field<'_, O> {
                 return Ok(flips);
             }
         }
+    }
+
+    /// Flips edges, wherever they are, until none can be flipped.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub(super) fn optimize_all(&mut self, least: usize) -> Result<usize, Error> {
+        let mesh = &self.draft.mesh;
+        let mut suspects: Vec<_> = mesh.half_edges().filter(|&h| h < mesh.twin(h)).collect();
+        let mut flips = 0;
+        while let Some(h) = suspects.pop() {
+            if self.swap(h, least)? {
+                flips += 1;
+                let g = self.draft.mesh.twin(h.next()).prev();
+                suspects.extend([h, h.prev(), g, g.prev()]);
+            }
+        }
+        Ok(flips)
     }
 
     fn first_spoke(&self, v: VertexId) -> HalfEdgeId {

@@ -72,6 +72,35 @@ pub(super) fn open_at(corners: [Point; 3], data: &[Point], least: usize) -> Opti
     Some(Opening { at, shares })
 }
 
+/// As [`open_at`], but moves the point as the text does: `tell` hears of each place, with the counts of closed
+/// sub-triangles, opposite corners 0, 1 and 2. Where the search ends between double-precision points, or there are too
+/// many data for it, the result is that of [`open_at`].
+pub(super) fn open_stepwise(
+    corners: [Point; 3],
+    data: &[Point],
+    least: usize,
+    mut tell: impl FnMut(Point, [usize; 3]),
+) -> Option<Opening> {
+    let division = Division::new(corners, data, least);
+    if data.len() <= MOST_EXACT && conditions::hold(&division) {
+        let search = PointSearch::new(corners, data, least, Counting::Unique).ok()?;
+        for step in search {
+            tell(step.at, step.counts);
+            if matches!(step.next, Next::Found) && division.is_good(step.at) {
+                let options: Vec<_> = division.options(step.at).collect();
+                let shares = share(&options, 3, least)?;
+                return Some(Opening {
+                    at: step.at,
+                    shares,
+                });
+            }
+        }
+    }
+    let opening = open_at(corners, data, least)?;
+    tell(opening.at, division.counts(opening.at));
+    Some(opening)
+}
+
 /// Tries one way after the other.
 fn choose(division: &Division) -> Option<Point> {
     let center = balanced::place(division.corners, [1.0; 3]);

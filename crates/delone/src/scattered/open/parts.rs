@@ -34,6 +34,17 @@ impl<'d> Division<'d> {
         at.is_finite() && (0..3).all(is_left)
     }
 
+    /// Counts the data in each closed part.
+    pub fn counts(&self, at: Point) -> [usize; 3] {
+        let mut counts = [0; 3];
+        for options in self.options(at) {
+            for (k, count) in counts.iter_mut().enumerate() {
+                *count += usize::from(options >> k & 1);
+            }
+        }
+        counts
+    }
+
     /// Returns the parts in which each datum may be if the triangle is divided at a point strictly inside.
     pub fn options(&self, at: Point) -> impl Iterator<Item = Parts> {
         let side = move |k: usize, p: Point| orient2d(at, self.corners[k], p);

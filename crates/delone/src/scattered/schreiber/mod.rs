@@ -38,8 +38,8 @@ use rows::Rows;
 ///
 /// let line = [0.0, 1.0, 2.0, 10.0, 11.0, 30.0]; // six points of dimension one
 /// let clusters = Clustering::new().clusters(3).run(&line, 1, None)?;
-/// assert_eq!(clusters.assignment(), [0, 0, 0, 2, 2, 1]);
-/// assert_eq!(clusters.centers(), [1.0, 30.0, 10.5]);
+/// assert_eq!(clusters.assignment(), [0, 0, 0, 1, 1, 2]);
+/// assert_eq!(clusters.centers(), [1.0, 10.5, 30.0]);
 /// # Ok::<(), delone::Error>(())
 /// ```
 #[derive(Clone, Copy)]
