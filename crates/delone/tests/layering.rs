@@ -337,7 +337,11 @@ const CRATES: &[(&str, &[&str])] = &[
     ("delone-io", &["delone"]),
     ("delone-samples", &[]),
     ("delone-cli", &["delone", "delone-io", "delone-samples"]),
-    ("delone-bench", &["delone", "delone-io", "delone-samples"]),
+    // Covers are measured on the data that tests make.
+    (
+        "delone-bench",
+        &["delone", "delone-io", "delone-samples", "delone-testkit"],
+    ),
     ("delone-testkit", &["delone"]),
 ];
 
