@@ -344,7 +344,11 @@ const CRATES: &[(&str, &[&str])] = &[
     ("delone-cli", &["delone", "delone-io", "delone-samples"]),
     ("delone-wasm", &["delone", "delone-io", "delone-samples"]),
     ("delone-web-build", &[]),
-    ("delone-bench", &["delone", "delone-io", "delone-samples"]),
+    // Covers are measured on the data that tests make.
+    (
+        "delone-bench",
+        &["delone", "delone-io", "delone-samples", "delone-testkit"],
+    ),
     ("delone-testkit", &["delone"]),
 ];
 
