@@ -194,7 +194,7 @@ impl Cluster {
         };
         let writing = &self.task.writing;
         let mut written = writing.clusters(outputs, points, &view, progress)?;
-        written.extend(writing.sites(outputs, &centers, progress)?);
+        written.extend(writing.sites(outputs, &centers, progress, &written)?);
         Ok(written)
     }
 }

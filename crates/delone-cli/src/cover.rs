@@ -142,7 +142,7 @@ impl Cover {
         mesh.triangle_attributes = &attributes;
         let mut written = writing.mesh(outputs, &mesh, progress)?;
         points.attributes.push(holders(cover, found, points));
-        written.extend(writing.sites(outputs, points, progress)?);
+        written.extend(writing.sites(outputs, points, progress, &written)?);
         Ok(written)
     }
 }

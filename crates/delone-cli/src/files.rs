@@ -5,7 +5,7 @@ mod family;
 mod input;
 
 use crate::exit::Failure;
-use crate::progress::Progress;
+use crate::progress::{Progress, Unstoppable};
 pub use content::Content;
 use delone::RefinedMesh;
 use delone_io::{
@@ -323,14 +323,22 @@ impl Writing {
     }
 
     /// Writes points besides something else and returns the names of the files.
+    ///
+    /// If `others` have been written for the same run, nothing stops this: all are there, or none.
     pub fn sites(
         &self,
         outputs: &Outputs,
         points: &PointSet,
         progress: &Progress,
+        others: &[PathBuf],
     ) -> Result<Vec<PathBuf>, Failure> {
         let targets = outputs.asides(Content::Sites);
-        delone_io::write_points(&targets, points, &self.options(), progress).map_err(unwritable)
+        let options = self.options();
+        let written = match others {
+            [] => delone_io::write_points(&targets, points, &options, progress),
+            _ => delone_io::write_points(&targets, points, &options, &Unstoppable(progress)),
+        };
+        written.map_err(unwritable)
     }
 
     /// Writes a raster or contour lines and returns the names of the files.

@@ -81,6 +81,15 @@ impl Watch for Progress {
     }
 }
 
+/// Shows progress, and hears of no interrupt.
+pub struct Unstoppable<'p>(pub &'p Progress);
+
+impl Watch for Unstoppable<'_> {
+    fn progress(&self, phase: Phase, done: u64, total: u64) {
+        self.0.progress(phase, done, total);
+    }
+}
+
 /// Wipes the line on which another thread may have left a bar, if standard error is a terminal.
 pub fn wipe() {
     if std::io::stderr().is_terminal() {

@@ -227,7 +227,7 @@ impl Voronoi {
             let mesh = MeshView::from(triangulation).with_data(points);
             written.extend(writing.diagrams(outputs, &mesh, progress)?);
         }
-        written.extend(writing.sites(outputs, points, progress)?);
+        written.extend(writing.sites(outputs, points, progress, &written)?);
         Ok(written)
     }
 }
