@@ -185,18 +185,7 @@ impl<'w> Cover<'w> {
         given: &DataTriangulation,
         observer: &mut impl Observer,
     ) -> Result<DataTriangulation, Error> {
-        self.require()?;
-        let data = Data::new(given.data.iter().copied())?;
-        self.require_data(&data)?;
-        let mut field = Field::new(
-            &data,
-            data.points.len() / (2 * self.least),
-            self.watch,
-            observer,
-        );
-        field.lay_out(given.points.clone(), &given.triangles)?;
-        algorithm_a::require_filled(&mut field, self.least)?;
-        self.divide(&mut field)
+        self.on(given, observer, |field| self.divide(field))
     }
 
     /// Flips edges of a triangulation, anywhere, as long as that makes the smallest angle of two triangles larger and
@@ -211,15 +200,28 @@ impl<'w> Cover<'w> {
         given: &DataTriangulation,
         observer: &mut impl Observer,
     ) -> Result<DataTriangulation, Error> {
+        self.on(given, observer, |field| {
+            field.optimize_all(self.least)?;
+            let exceptions = algorithm_c::untried(field, self.least);
+            Ok(result::hand_out(field, self.least, exceptions))
+        })
+    }
+
+    /// Works on a triangulation that is there already.
+    fn on<O: Observer>(
+        &self,
+        given: &DataTriangulation,
+        observer: &mut O,
+        work: impl FnOnce(&mut Field<O>) -> Result<DataTriangulation, Error>,
+    ) -> Result<DataTriangulation, Error> {
         self.require()?;
         let data = Data::new(given.data.iter().copied())?;
         self.require_data(&data)?;
-        let mut field = Field::new(&data, given.triangles.len(), self.watch, observer);
+        let expected = data.points.len() / (2 * self.least);
+        let mut field = Field::new(&data, expected, self.watch, observer);
         field.lay_out(given.points.clone(), &given.triangles)?;
         algorithm_a::require_filled(&mut field, self.least)?;
-        field.optimize_all(self.least)?;
-        let exceptions = algorithm_c::untried(&field, self.least);
-        Ok(result::hand_out(&field, self.least, exceptions))
+        work(&mut field)
     }
 
     fn divide(&self, field: &mut Field<impl Observer>) -> Result<DataTriangulation, Error> {
