@@ -10,7 +10,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { Drawing, Mesh, Player, initSync, version } from "../src/wasm/delone.js";
+import { Drawing, initSync, Mesh, Player, version } from "../src/wasm/delone.js";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const program = process.env.DELONE ?? here("../../target/release/delone");
@@ -24,7 +24,8 @@ const milliseconds = (work) => {
   return [result, performance.now() - begin];
 };
 
-const native = (...args) => JSON.parse(execFileSync(program, [...args, "--json", "-q"], { encoding: "utf8" }));
+const native = (...args) =>
+  JSON.parse(execFileSync(program, [...args, "--json", "-q"], { encoding: "utf8" }));
 
 // Writes a sample by the program, and returns its file.
 const sample = (name, count, extension) => {
@@ -49,7 +50,10 @@ const hashesAgree = () => {
   for (const [name, count, extension, hasSegments] of presets) {
     const file = sample(name, count, extension);
     const expected = native("triangulate", file).hash;
-    const drawings = [Drawing.preset(name, count, 1), Drawing.fromFile(`${name}.${extension}`, readFileSync(file))];
+    const drawings = [
+      Drawing.preset(name, count, 1),
+      Drawing.fromFile(`${name}.${extension}`, readFileSync(file)),
+    ];
     for (const drawing of drawings) {
       const mesh = hasSegments ? Mesh.constrain(drawing) : Mesh.triangulate(drawing);
       assert.equal(mesh.hash(), expected, name);
@@ -67,7 +71,9 @@ const refinementAgrees = () => {
     const expected = native("mesh", sample(name, 300, "poly"), ...args).hash;
     let calls = 0;
     const drawing = Drawing.preset(name, 300, 1);
-    const mesh = Mesh.refine(drawing, JSON.stringify(options), () => void (calls += 1));
+    const mesh = Mesh.refine(drawing, JSON.stringify(options), () => {
+      calls += 1;
+    });
     assert.equal(mesh.hash(), expected, name);
     assert.equal(JSON.parse(mesh.quality()).outcome, "complete");
     assert(calls > 0);
@@ -106,7 +112,9 @@ const longRunsAreSoughtQuickly = () => {
     worst = Math.max(worst, took);
   }
   const figures = [ran, first, worst].map((ms) => `${ms.toFixed(1)} ms`);
-  console.log(`  ${player.length} steps: run ${figures[0]}, first time to the end ${figures[1]}, worst seek ${figures[2]}`);
+  console.log(
+    `  ${player.length} steps: run ${figures[0]}, first time to the end ${figures[1]}, worst seek ${figures[2]}`,
+  );
 };
 
 const filesAreWritten = () => {
@@ -127,7 +135,8 @@ const filesAreWritten = () => {
 };
 
 const errorsAreErrors = () => {
-  const refused = (work, pattern) => assert.throws(work, (e) => e instanceof Error && pattern.test(e.message));
+  const refused = (work, pattern) =>
+    assert.throws(work, (e) => e instanceof Error && pattern.test(e.message));
   refused(() => Drawing.fromFile("a.csv", new TextEncoder().encode("x,y\n1,2\n3,oops\n")), /a\.csv:3/);
   refused(() => new Drawing([0, 0, 1, 1], [0, 2], []), /segment 0 joins 0 and 2/);
   refused(() => Drawing.preset("pond", 1, 1), /no preset is called/);

@@ -1,0 +1,41 @@
+// The page: its head, the drawing on the left, the stage in the middle, what is done with it on the right.
+
+import { DrawingPanel } from "../drawing/DrawingPanel";
+import { MeshPanel } from "../mesh/MeshPanel";
+import { PlayPanel } from "../play/PlayPanel";
+import { Transport } from "../play/Transport";
+import { PredictPanel } from "../predict/PredictPanel";
+import { RacePanel } from "../race/RacePanel";
+import { SeePanel } from "../see/SeePanel";
+import { mode } from "../state/mode";
+import { Header } from "./Header";
+import { Jobs } from "./Jobs";
+import { Notices } from "./Notices";
+import { Stages } from "./Stages";
+import { useShortcuts } from "./shortcuts";
+import "./app.css";
+
+const panels = { play: PlayPanel, predict: PredictPanel, race: RacePanel, mesh: MeshPanel };
+
+export function App() {
+  useShortcuts();
+  const Panel = panels[mode.value];
+  return (
+    <div class="app" data-mode={mode.value}>
+      <Header />
+      <aside class="side">
+        <DrawingPanel />
+        <SeePanel />
+      </aside>
+      <main class="middle" id="stage" tabIndex={-1}>
+        <Stages />
+        <Jobs />
+        <Notices />
+        {mode.value !== "mesh" && <Transport />}
+      </main>
+      <aside class="work">
+        <Panel />
+      </aside>
+    </div>
+  );
+}

@@ -1,0 +1,46 @@
+// The stage, or the stages, that the mode has.
+
+import { computed, effect, signal } from "@preact/signals";
+import { overlays } from "../see/overlays";
+import type { Camera } from "../stage/camera";
+import { Stage } from "../stage/Stage";
+import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
+import { drawing, recipe } from "../state/drawing";
+import { mesh } from "../state/mesh";
+import { mode } from "../state/mode";
+import { frame } from "../state/play";
+
+const camera = signal<Camera | null>(null);
+
+/** What the stage shows: a mesh, a run, or the bare drawing. */
+const scene = computed<StageScene>(() => {
+  const drawn = drawing.value;
+  if (!drawn) return emptyScene;
+  const bare = sceneOfDrawing(drawn.points, drawn.segments);
+  return (mode.value === "mesh" ? ofMesh() : ofRun()) ?? bare;
+});
+
+/** What `fit` brings into view: all that was drawn. */
+const whole = computed(() => drawing.value?.points ?? emptyScene.points);
+
+// Something else is looked at from its own place; while it is edited the view stays.
+effect(() => {
+  void recipe.value.source;
+  camera.value = null;
+});
+
+function ofRun(): StageScene | null {
+  if (!frame.value) return null;
+  const { points, edges, locked, triangles } = frame.value;
+  return { points, edges, locked, triangles, values: null, hasDots: true };
+}
+
+function ofMesh(): StageScene | null {
+  if (!mesh.value) return null;
+  const { points, edges, triangles } = mesh.value;
+  return { points, edges, locked: null, triangles, values: null, hasDots: false };
+}
+
+export function Stages() {
+  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} />;
+}

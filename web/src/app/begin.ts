@@ -1,0 +1,24 @@
+// What happens once, when the page opens.
+
+import { effect } from "@preact/signals";
+import { stage } from "../engine/client";
+import { open, recipe } from "../state/drawing";
+import { tell } from "../state/notices";
+import { algorithms } from "../state/play";
+import { language, theme } from "../state/settings";
+import { words } from "../words";
+
+/** Loads what the module knows, and shows the first drawing. */
+export async function begin(): Promise<void> {
+  effect(() => {
+    document.documentElement.lang = language.value;
+    document.documentElement.dataset.theme = theme.value;
+    document.title = words.value.app.title;
+  });
+  try {
+    algorithms.value = await stage.ask((engine) => engine.players.algorithms());
+    await open(recipe.peek().source);
+  } catch (error) {
+    tell(error);
+  }
+}

@@ -1,0 +1,94 @@
+// The page's ends of its two workers: one for the stage, one for meshes, so that neither waits for the other. The
+// module is compiled once; a worker that is at work can be ended at any moment, and the next one gets the compiled
+// module at once.
+
+import { proxy, wrap } from "comlink";
+import wasm from "../wasm/delone_bg.wasm?url";
+import type { Progress } from "./protocol";
+import type { Worked } from "./worker";
+
+/** Why work has no result: somebody has cancelled it. */
+export class Cancelled extends Error {
+  constructor() {
+    super("cancelled");
+    this.name = "Cancelled";
+  }
+}
+
+/** The same functions, answered later. */
+type Later<Room> = {
+  [Name in keyof Room]: Room[Name] extends (...args: infer Args) => infer Answer
+    ? (...args: Args) => Promise<Awaited<Answer>>
+    : Later<Room[Name]>;
+};
+
+/** What the page may ask of a worker. */
+export type Engine = Later<Worked>;
+
+interface Living {
+  engine: Engine;
+  /** Never fulfilled; rejected when the worker ends. */
+  end: Promise<never>;
+  kill(): void;
+}
+
+const module = WebAssembly.compileStreaming(fetch(wasm));
+
+/** A worker that may be ended and comes back. */
+export class Client {
+  private living: Promise<Living> | undefined;
+  private restore: (engine: Engine) => Promise<void> = async () => {};
+
+  /** Says how a new worker gets what the one before had; done before anything else is asked of it. */
+  onRestart(restore: (engine: Engine) => Promise<void>): void {
+    this.restore = restore;
+  }
+
+  /** Asks something of the worker. Rejected with `Cancelled` when somebody calls `cancel` meanwhile. */
+  async ask<T>(question: (engine: Engine) => Promise<T>): Promise<T> {
+    this.living ??= this.start();
+    const { engine, end } = await this.living;
+    try {
+      return await Promise.race([question(engine), end]);
+    } catch (error) {
+      // A trap leaves the module in no state to go on with.
+      if (error instanceof Error && error.name === "RuntimeError") this.cancel();
+      throw error;
+    }
+  }
+
+  /** Ends whatever the worker is doing, at once. The next question starts another worker. */
+  cancel(): void {
+    const ending = this.living;
+    this.living = undefined;
+    ending?.then(({ kill }) => kill()).catch(() => {});
+  }
+
+  private async start(): Promise<Living> {
+    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    // Comlink does rooms of functions, but its types do not.
+    const engine = wrap(worker) as unknown as Engine;
+    let kill = () => {};
+    const end = new Promise<never>((_, reject) => {
+      kill = () => {
+        worker.terminate();
+        reject(new Cancelled());
+      };
+    });
+    end.catch(() => {});
+    await engine.start(await module);
+    await this.restore(engine);
+    return { engine, end, kill };
+  }
+}
+
+/** The worker that keeps the drawing and the runs. */
+export const stage = new Client();
+
+/** The worker that keeps the mesh. */
+export const mesher = new Client();
+
+/** Wraps a function that is told of progress, for the way to a worker. */
+export function told(progress: Progress): Progress {
+  return proxy(progress);
+}

@@ -1,0 +1,99 @@
+// The run on the stage: which algorithm, where it stands, and the scene there.
+
+import { batch, computed, effect, signal } from "@preact/signals";
+import { stage } from "../engine/client";
+import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/protocol";
+import { drawing, recipe } from "./drawing";
+import { work } from "./job";
+import { tell } from "./notices";
+import { language } from "./settings";
+
+/** The slot of the run on the stage; races use those from 1 on. */
+const SLOT = 0;
+
+/** All algorithms that can be played. */
+export const algorithms = signal<Algorithm[]>([]);
+
+/** The name of the algorithm that is chosen, and what it wants to know. */
+export const chosen = signal("sweep");
+export const options = signal<RunOptions>({ seed: 1 });
+
+export const algorithm = computed(() => algorithms.value.find((each) => each.name === chosen.value));
+
+/** The run; null while there is none. */
+export const run = signal<Run | null>(null);
+
+/** Where it is to stand, and the scene that is shown: on its way there, a step behind at most. */
+export const position = signal(0);
+export const frame = signal<Frame | null>(null);
+
+/** Whether it plays, and how many steps a second. */
+export const isPlaying = signal(false);
+export const speed = signal(8);
+
+// A new worker knows nothing.
+stage.onRestart(async (engine) => {
+  if (drawing.peek()) await engine.drawings.make(recipe.peek());
+  const lost = run.peek();
+  if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
+});
+
+/** Runs the chosen algorithm on the drawing, and stands at `at`. */
+export async function start(at = 0): Promise<void> {
+  isPlaying.value = false;
+  run.value = null;
+  const made = await work(stage, "run", (engine) => engine.players.run(SLOT, chosen.peek(), options.peek()));
+  batch(() => {
+    run.value = made ?? null;
+    frame.value = null;
+    position.value = Math.min(at, made?.length ?? 0);
+  });
+}
+
+/** Goes to a position, which may lie outside of the run. */
+export function seek(to: number): void {
+  const length = run.value?.length ?? 0;
+  position.value = Math.max(0, Math.min(Math.round(to), length));
+}
+
+/** Goes to the next, or the previous, position behind a step of this kind; to the end, or the beginning, if there is none. */
+export async function jump(direction: Direction, kind: string): Promise<void> {
+  const [from, end] = [position.value, direction === "next" ? (run.value?.length ?? 0) : 0];
+  const found = await stage.ask((engine) => engine.players.find(SLOT, direction, kind, from)).catch(tell);
+  seek(found ?? end);
+}
+
+// A drawing or an algorithm that changes makes another run.
+let wanted: unknown;
+effect(() => {
+  const next = [drawing.value, chosen.value, options.value];
+  if (!drawing.value || algorithms.value.length === 0) return;
+  if (Array.isArray(wanted) && next.every((part, i) => part === (wanted as unknown[])[i])) return;
+  wanted = next;
+  void start();
+});
+
+// The scene follows the position: one question at a time, and then for where it stands by now.
+let isLooking = false;
+effect(() => {
+  void [position.value, language.value];
+  if (run.value && !isLooking) void look();
+});
+
+async function look(): Promise<void> {
+  isLooking = true;
+  try {
+    for (;;) {
+      const [of, at, words] = [run.peek(), position.peek(), language.peek()];
+      if (!of) return;
+      const seen = await stage.ask((engine) => engine.players.frame(SLOT, at, words));
+      if (run.peek() !== of) continue;
+      frame.value = seen;
+      if (position.peek() === at && language.peek() === words) return;
+    }
+  } catch (error) {
+    tell(error);
+  } finally {
+    isLooking = false;
+  }
+}

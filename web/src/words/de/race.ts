@@ -1,0 +1,7 @@
+// Races.
+
+import type { Words } from "..";
+
+export const race: Words["race"] = {
+  heading: "Rennen",
+};

@@ -1,0 +1,5 @@
+// Guessing the next flip.
+
+export const predict = {
+  heading: "Predict the next flip",
+};

@@ -1,0 +1,5 @@
+// Races.
+
+export const race = {
+  heading: "Race",
+};

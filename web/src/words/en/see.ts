@@ -1,0 +1,5 @@
+// What can be shown over the stage.
+
+export const see = {
+  heading: "See",
+};
