@@ -1,6 +1,7 @@
 // How the page is built: everything relative, so that any folder of any static host will do.
 
 import { defineConfig } from "vite";
+import { guide } from "./guide/plugin.ts";
 
 export default defineConfig({
   base: "./",
@@ -13,4 +14,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
   },
   worker: { format: "es" },
+  plugins: [guide()],
 });

@@ -1,11 +1,11 @@
-// Two kinds of tests: of pieces, beside them in src/; and of the built page, in a real browser.
+// Two kinds of tests: of pieces, beside them; and of the built page, in a real browser.
 
 import { defineConfig } from "vitest/config";
 
 export default defineConfig({
   test: {
     projects: [
-      { extends: "./vite.config.ts", test: { name: "unit", include: ["src/**/*.test.ts"] } },
+      { extends: "./vite.config.ts", test: { name: "unit", include: ["{src,guide}/**/*.test.ts"] } },
       {
         test: {
           name: "browser",
