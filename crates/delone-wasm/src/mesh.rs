@@ -115,7 +115,10 @@ impl Mesh {
         let progress = Progress::told_to(progress);
         let mut data = DomainData::from(drawing.data.vertices.clone());
         let points = std::mem::take(&mut data.vertices.points);
-        let built = Delaunay::new().watch(&progress).triangulate(points)?;
+        let built = Delaunay::new()
+            .watch(&progress)
+            .triangulate(points)
+            .map_err(|error| Trouble::of_drawing(error, drawing))?;
         let built = Built::Points(built);
         Ok(Self { built, data })
     }
@@ -136,7 +139,8 @@ impl Mesh {
             .crossings(options.crossings.into())
             .domain(options.rule(&data))
             .watch(&progress)
-            .triangulate(data.take_pslg())?;
+            .triangulate(data.take_pslg())
+            .map_err(|error| Trouble::of_drawing(error, drawing))?;
         let built = Built::Domain(built.into());
         Ok(Self { built, data })
     }
@@ -155,7 +159,9 @@ impl Mesh {
         let progress = Progress::told_to(progress);
         let mut data = drawing.data.clone();
         let refinement = options.refinement(&data).watch(&progress);
-        let refined = refinement.mesh(data.take_pslg())?;
+        let refined = refinement
+            .mesh(data.take_pslg())
+            .map_err(|error| Trouble::of_drawing(error, drawing))?;
         if refined.report.outcome == Outcome::Cancelled {
             return Err(delone::Error::Cancelled.into());
         }
