@@ -8,7 +8,8 @@
 //! Long lists cross as typed arrays: coordinates as `Float64Array` (x, y, x, y, …), indices as `Uint32Array`.
 //! Whatever has a structure crosses as JSON text, with keys in camel case; options are JSON objects in which every
 //! key may be left out, and an unknown one is an error. Every failure is a JavaScript `Error` whose message is
-//! meant for people.
+//! meant for people, with the properties `places` (x, y, …), `segments` and `points` (numbers) that it is about, and
+//! perhaps `line`.
 //!
 //! Everything runs on the thread of the caller, which should be a worker's for large inputs, and gives the result
 //! that the command line gives, bit for bit.

@@ -8,8 +8,8 @@ use js_sys::{Error, Float64Array, Object, Reflect, Uint32Array};
 pub use marks::Marks;
 use wasm_bindgen::JsValue;
 
-/// Crossings that are marked, if segments cross; more are a mess in any picture.
-const MOST_CROSSINGS: usize = 100;
+/// Crossings, and vertices on segments, that are looked for if segments cross.
+const MOST_FACTS: usize = 10_000;
 
 /// Why something cannot be done.
 #[derive(Debug, thiserror::Error)]
@@ -60,8 +60,8 @@ impl Trouble {
                 segments: drawing.data.segments.clone(),
                 ..Pslg::default()
             };
-            if let Ok(facts) = graph.facts(MOST_CROSSINGS, &()) {
-                marks.add_crossings(&facts.crossings.first);
+            if let Ok(facts) = graph.facts(MOST_FACTS, &()) {
+                marks.add_crossings(&facts);
             }
         }
         marks.place_points(&drawing.data.vertices.points);

@@ -1,7 +1,11 @@
 //! Where trouble is: places, points and segments of a drawing, or a line of a file.
 
-use delone::{Error, Point, SegmentCrossing, VertexId};
+use delone::{Error, Facts, Point, VertexId};
 use delone_io::Place;
+use std::collections::BTreeSet;
+
+/// Crossings that are marked; more are a mess in any picture.
+const MOST_CROSSINGS: usize = 100;
 
 /// What is to be marked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,17 +73,22 @@ impl Marks {
         }
     }
 
-    /// Marks crossings and the segments that cross there, instead of the one that is marked.
-    pub fn add_crossings(&mut self, crossings: &[SegmentCrossing]) {
-        if crossings.is_empty() {
+    /// Marks more crossings, and the segments that cross there. Those in a vertex are none to be refused.
+    pub fn add_crossings(&mut self, facts: &Facts) {
+        let on = &facts.on_segments;
+        if on.count > on.first.len() as u64 {
+            // Who crosses in a vertex is not known then.
             return;
         }
-        self.places.clear();
-        crossings
-            .iter()
-            .for_each(|crossing| self.place(crossing.at));
-        let segments = crossings.iter().flat_map(|crossing| crossing.segments);
-        self.segments.extend(segments.map(|s| s as u32));
+        let on: BTreeSet<_> = on.first.iter().map(|on| (on.segment, on.vertex)).collect();
+        let of = |s: usize| on.range((s, VertexId::new(0))..(s + 1, VertexId::new(0)));
+        let is_in_vertex = |[s, t]: [usize; 2]| of(s).any(|&(_, v)| on.contains(&(t, v)));
+        let refused = facts.crossings.first.iter();
+        let refused = refused.filter(|crossing| !is_in_vertex(crossing.segments));
+        for crossing in refused.take(MOST_CROSSINGS) {
+            self.place(crossing.at);
+            self.segments.extend(crossing.segments.map(|s| s as u32));
+        }
         self.segments.sort_unstable();
         self.segments.dedup();
     }
@@ -125,6 +134,17 @@ mod tests {
         let found = marks(&points, &[0, 1, 2, 3, 4, 5], &[]);
         assert_eq!(found.places, [1.0, 0.0, 2.0, 0.0]);
         assert_eq!(found.segments, [0, 1, 2]);
+    }
+
+    /// The two diagonals meet in a vertex, which is in order; a third line crosses one of them beside it.
+    #[test]
+    fn crossings_in_a_vertex_are_in_order() {
+        let points = [
+            0.0, 0.0, 4.0, 4.0, 0.0, 4.0, 4.0, 0.0, 2.0, 2.0, 0.0, 2.0, 2.0, 0.0,
+        ];
+        let found = marks(&points, &[0, 1, 2, 3, 5, 6], &[]);
+        assert_eq!(found.places, [1.0, 1.0]);
+        assert_eq!(found.segments, [0, 2]);
     }
 
     #[test]
