@@ -10,7 +10,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { Drawing, initSync, Mesh, Player, version } from "../src/wasm/delone.js";
+import { Drawing, fileKind, formats, initSync, Mesh, Player, version } from "../src/wasm/delone.js";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const program = process.env.DELONE ?? here("../../target/release/delone");
@@ -134,6 +134,116 @@ const filesAreWritten = () => {
   }
 };
 
+const drawingsAreEdited = () => {
+  const drawing = new Drawing([0, 0, 4, 0, 4, 4, 0, 4], [0, 1, 1, 2, 2, 3, 3, 0], []);
+  const copy = drawing.copy();
+  drawing.edit(
+    JSON.stringify([
+      { addPoint: [2, 6] },
+      { addSegment: [2, 4] },
+      { addSegment: [4, 3] },
+      { removePoint: 0 },
+    ]),
+  );
+  assert.deepEqual([...drawing.points()], [4, 0, 4, 4, 0, 4, 2, 6]);
+  assert.deepEqual([...drawing.segments()], [0, 1, 1, 2, 1, 3, 3, 2]);
+  assert.equal(copy.points().length, 8);
+  assert.throws(() => drawing.edit(JSON.stringify([{ addPoint: [NaN, 1] }])), /edit 0, addPoint: .*finite/);
+  drawing.edit('[{"addRegion": [3, 3, 7, null]}]');
+  assert.deepEqual([...drawing.regions()], [3, 3, 7, NaN]);
+
+  const large = Drawing.preset("coast", 100000, 1);
+  const drag = (i) => large.edit(`[{"movePoint": [${i}, ${i % 7}, 1]}]`);
+  const [, moved] = milliseconds(() => Array.from({ length: 1000 }, (_, i) => drag(i)));
+  const [, removed] = milliseconds(() => large.edit('[{"removePoint": 500}]'));
+  const many = JSON.stringify(Array.from({ length: 5000 }, (_, i) => ({ removePoint: 90000 - 2 * i })));
+  const [, purged] = milliseconds(() => large.edit(many));
+  const figures = [moved / 1000, removed, purged].map((ms) => `${ms.toFixed(3)} ms`);
+  console.log(
+    `  of 100,000 points one moved: ${figures[0]}, one removed: ${figures[1]}, 5,000 removed: ${figures[2]}`,
+  );
+};
+
+const filesComeInParts = () => {
+  const mesh = Mesh.refine(Drawing.preset("lake", 0, 0), '{"minAngle": 25}');
+  const family = mesh.save("m.ele");
+  const pick = (...ends) => ends.map((end) => family.find((file) => file.name === `m.${end}`));
+  const open = (files) =>
+    Drawing.fromFiles(
+      files.map((file) => file.name),
+      files.map((file) => file.bytes()),
+    );
+  const whole = open(pick("ele", "node", "poly"));
+  assert.equal(whole.triangles().length, mesh.triangles().length);
+  assert.equal(JSON.parse(whole.about()).rule, "carve");
+  assert.deepEqual(open(pick("poly", "node")).points(), mesh.points());
+  assert.throws(() => open(pick("ele")), /m\.ele needs m\.node: open both together/);
+  const [log] = Player.run("incremental", Drawing.preset("uniform", 9, 1)).save("p.json");
+  assert.equal(fileKind(log.name, log.bytes()), "log");
+  assert.equal(fileKind("m.node", pick("node")[0].bytes()), "drawing");
+  assert.equal(fileKind("m.docx", new Uint8Array()), "unknown");
+  const list = JSON.parse(formats());
+  assert(list.some(({ extension, mesh, reads }) => extension === "vtu" && mesh && reads));
+  assert(list.some(({ extension, run }) => extension === "dlog" && run));
+};
+
+const meshesExplainThemselves = () => {
+  const options = { thesis: true, minAngle: 29, maxEdge: 3, explains: true };
+  const mesh = Mesh.refine(Drawing.preset("thesis", 0, 0), JSON.stringify(options));
+  const points = mesh.points();
+  const rules = new Set();
+  mesh.measures("minAngle").forEach((angle, t) => {
+    const told = JSON.parse(mesh.explain(t));
+    assert(Math.abs(Math.min(...told.angles) - angle) < 1e-4);
+    const middle = [0, 1].map((k) => told.corners.reduce((sum, v) => sum + points[2 * v + k] / 3, 0));
+    assert.equal(mesh.triangleAt(...middle), t);
+    for (const { origin, cause } of told.vertices) {
+      assert.equal(cause === null, origin === "input");
+      if (cause) rules.add(cause.rule);
+    }
+    for (const language of ["en", "de"]) assert.match(mesh.sentence(t, language), /\.$/);
+  });
+  assert(rules.has("size") && rules.size > 1);
+  const { low, high, counts } = JSON.parse(mesh.histogram("minAngle", 12));
+  assert.deepEqual([low, high, counts.reduce((a, b) => a + b)], [0, 60, mesh.triangles().length / 3]);
+  assert.equal(mesh.triangleAt(1e9, 0), undefined);
+  console.log(`  ${mesh.sentence(0, "en")}\n  ${mesh.sentence(0, "de")}`);
+
+  const large = Mesh.triangulate(Drawing.preset("uniform", 500000, 1));
+  const passes = {
+    points: [],
+    triangles: [],
+    edges: [],
+    measures: ["minAngle"],
+    histogram: ["area", 100],
+    explain: [7],
+  };
+  const figures = Object.entries(passes).map(
+    ([name, args]) => `${name} ${milliseconds(() => large[name](...args))[1].toFixed(0)} ms`,
+  );
+  console.log(`  a million triangles: ${figures.join(", ")}`);
+};
+
+const errorsHavePlaces = () => {
+  const error = (work) => {
+    try {
+      work();
+    } catch (e) {
+      return e;
+    }
+    return assert.fail("no error");
+  };
+  const crossing = new Drawing([0, 0, 4, 0, 1, -1, 1, 1, 2, -1, 2, 1], [0, 1, 2, 3, 4, 5], []);
+  const crossed = error(() => Mesh.constrain(crossing));
+  assert.deepEqual([...crossed.places], [1, 0, 2, 0]);
+  assert.deepEqual([...crossed.segments], [0, 1, 2]);
+  assert.equal(crossed.points.length, 0);
+  assert.deepEqual([...error(() => Mesh.triangulate(new Drawing([0, 0, NaN, 1], [], []))).points], [1]);
+  const broken = error(() => Drawing.fromFile("a.csv", new TextEncoder().encode("x,y\n1,2\n3,oops\n")));
+  assert.equal(broken.line, 3);
+  assert(broken instanceof Error && broken.stack);
+};
+
 const errorsAreErrors = () => {
   const refused = (work, pattern) =>
     assert.throws(work, (e) => e instanceof Error && pattern.test(e.message));
@@ -157,7 +267,11 @@ try {
   check("every algorithm plays", everyAlgorithmPlays);
   check("long runs are sought quickly", longRunsAreSoughtQuickly);
   check("files are written", filesAreWritten);
+  check("drawings are edited", drawingsAreEdited);
+  check("files come in parts", filesComeInParts);
+  check("meshes explain themselves", meshesExplainThemselves);
   check("errors are errors", errorsAreErrors);
+  check("errors have places", errorsHavePlaces);
   const [mesh, took] = milliseconds(() => Mesh.triangulate(Drawing.preset("uniform", 1000000, 1)));
   console.log(`1,000,000 points drawn and triangulated in ${took.toFixed(0)} ms: ${mesh.hash()}`);
 } finally {

@@ -46,6 +46,14 @@ pub enum Error {
         /// Names of the formats that would do.
         known: String,
     },
+    /// A file is about another one, which was not given with it.
+    #[error("{file} needs {needed}: open both together")]
+    Alone {
+        /// Name of the file.
+        file: String,
+        /// Name of the one that is missing.
+        needed: String,
+    },
     /// The format is known but cannot do this.
     #[error("{file}: format {format} cannot {action}; use one of {instead}")]
     Unsupported {

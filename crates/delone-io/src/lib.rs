@@ -52,7 +52,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Where there are no files, [`Source::Memory`] is read, and [`in_memory`] keeps what is written.
+//! Where there are no files, [`Source::Memory`] and [`Source::Together`] are read, and [`in_memory`] keeps what is written.
 //!
 //! So do domains, whose markers and attributes the mesh [inherits](Inherited):
 //!

@@ -219,11 +219,8 @@ pub fn read_mesh(
     match format {
         Format::Node => {
             let vertices = node::read_points(&file, &bytes, watch)?;
-            let Source::Path(path) = source else {
-                let action = "hold triangles";
-                return Err(unsupported(source, format, action, Format::reads_mesh));
-            };
-            let triangles = Source::Path(path.with_extension("ele"));
+            let alone = || unsupported(source, format, "hold triangles", Format::reads_mesh);
+            let triangles = source.beside("ele", alone)?;
             let bytes = triangles.load(watch)?;
             let mesh = ele::read_mesh(&triangles.to_string(), &bytes, vertices, watch)?;
             with_graph_beside(mesh, source, watch)
@@ -249,14 +246,9 @@ fn with_graph_beside(
     source: &Source,
     watch: &dyn Watch,
 ) -> Result<MeshData, Error> {
-    let path = match source {
-        Source::Path(path) => path.with_extension("poly"),
-        _ => return Ok(mesh),
-    };
-    if !path.is_file() {
+    let Some(graph) = source.beside_if_any("poly") else {
         return Ok(mesh);
-    }
-    let graph = Source::Path(path);
+    };
     let bytes = graph.load(watch)?;
     let constraints = poly::read_graph(&graph.to_string(), &bytes, &mesh.vertices, watch)?;
     Ok(MeshData {

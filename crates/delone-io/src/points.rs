@@ -180,16 +180,13 @@ pub(crate) fn read_sibling(
     options: &ReadOptions,
     watch: &dyn Watch,
 ) -> Result<PointSet, Error> {
-    let Source::Path(path) = source else {
-        // Standard input and memory have no neighbours.
-        return Err(unsupported(
-            source,
-            format,
-            "be read without the files beside it",
-            |f| matches!(f, Format::Vtu | Format::Node),
-        ));
+    // Standard input and a single file in memory have no neighbours.
+    let alone = || {
+        let action = "be read without the files beside it";
+        let wanted = |f| matches!(f, Format::Vtu | Format::Node);
+        unsupported(source, format, action, wanted)
     };
-    let sibling = Source::Path(path.with_extension(extension));
+    let sibling = source.beside(extension, alone)?;
     let options = ReadOptions {
         format: None,
         columns: options.columns.clone(),

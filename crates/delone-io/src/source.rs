@@ -1,6 +1,6 @@
 //! Where input comes from: a file, standard input, or memory.
 
-use crate::Error;
+use crate::{Error, MemoryFile};
 use delone::Watch;
 use std::borrow::Cow;
 use std::ffi::OsStr;
@@ -8,7 +8,7 @@ use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 use std::time::Duration;
 
 /// Bytes asked of the operating system at once; small enough to answer cancellation in time.
@@ -29,6 +29,13 @@ pub enum Source {
         /// The content.
         bytes: Vec<u8>,
     },
+    /// One of several files in memory, which lie beside each other as in a folder.
+    Together {
+        /// The files.
+        files: Arc<[MemoryFile]>,
+        /// Which of them is read, from 0; none if there is no such file.
+        opened: usize,
+    },
 }
 
 impl Source {
@@ -46,6 +53,38 @@ impl Source {
             Self::Path(path) => Some(path),
             Self::Stdin => None,
             Self::Memory { name, .. } => Some(Path::new(name)),
+            Self::Together { files, opened } => files.get(*opened).map(|file| &*file.name),
+        }
+    }
+
+    /// Returns the file of the same stem with another extension; `alone` is the error if this source never has
+    /// neighbours.
+    pub(crate) fn beside(
+        &self,
+        extension: &str,
+        alone: impl FnOnce() -> Error,
+    ) -> Result<Self, Error> {
+        let Some(path) = self.path() else {
+            return Err(alone());
+        };
+        let needed = path.with_extension(extension);
+        match self {
+            Self::Path(_) => Ok(Self::Path(needed)),
+            Self::Together { files, .. } => find(files, &needed).ok_or_else(|| Error::Alone {
+                file: self.to_string(),
+                needed: needed.display().to_string(),
+            }),
+            _ => Err(alone()),
+        }
+    }
+
+    /// Returns the file of the same stem with another extension, if there is one.
+    pub(crate) fn beside_if_any(&self, extension: &str) -> Option<Self> {
+        let path = self.path()?.with_extension(extension);
+        match self {
+            Self::Path(_) => path.is_file().then_some(Self::Path(path)),
+            Self::Together { files, .. } => find(files, &path),
+            _ => None,
         }
     }
 
@@ -55,6 +94,10 @@ impl Source {
             Self::Path(path) => load_file(path, watch),
             Self::Stdin => drain(io::stdin(), watch),
             Self::Memory { bytes, .. } => return Ok(Cow::Borrowed(bytes)),
+            Self::Together { files, opened } => match files.get(*opened) {
+                Some(file) => return Ok(Cow::Borrowed(&file.bytes)),
+                None => Err(io::ErrorKind::NotFound.into()),
+            },
         };
         match content {
             Ok(Some(bytes)) => Ok(Cow::Owned(bytes)),
@@ -66,6 +109,16 @@ impl Source {
             }),
         }
     }
+}
+
+/// Finds a file by its name; case does not matter, as on the disks that such files mostly come from.
+fn find(files: &Arc<[MemoryFile]>, name: &Path) -> Option<Source> {
+    let is_wanted = |file: &MemoryFile| file.name.as_os_str().eq_ignore_ascii_case(name);
+    let opened = files.iter().position(is_wanted)?;
+    Some(Source::Together {
+        files: Arc::clone(files),
+        opened,
+    })
 }
 
 /// Reads a file; `None` means cancelled.
@@ -122,6 +175,10 @@ impl fmt::Display for Source {
             Self::Path(path) => path.display().fmt(f),
             Self::Stdin => f.write_str("-"),
             Self::Memory { name, .. } => f.write_str(name),
+            Self::Together { files, opened } => match files.get(*opened) {
+                Some(file) => file.name.display().fmt(f),
+                None => f.write_str("-"),
+            },
         }
     }
 }

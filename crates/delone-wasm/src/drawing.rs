@@ -1,13 +1,18 @@
-//! What there is to triangulate: points, segments and holes.
+//! What there is to triangulate: points, segments and holes; drawn, or read from files, and changed.
 
+mod edit;
+mod files;
 mod presets;
+#[cfg(test)]
+mod tests;
+
+pub use files::file_kind;
 
 use crate::{Trouble, json};
-use delone::predicates::{Orientation, orient2d};
-use delone::{DomainRule, Point, VertexId};
-use delone_io::{DomainData, Format, ReadOptions, Source, read_domain, read_mesh};
+use delone::{DomainRule, Region, VertexId};
+use delone_io::DomainData;
+use edit::Edit;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Points, segments between them, and a point in each hole; perhaps triangles to begin with.
@@ -63,24 +68,27 @@ impl Drawing {
         Ok(DomainData::from_rows(points, segments, holes)?.into())
     }
 
-    /// Reads a file of any format that the command line reads: its name, for the extension and for messages, and
-    /// its bytes. Errors name the line.
-    #[wasm_bindgen(js_name = fromFile)]
-    pub fn from_file(name: &str, bytes: &[u8]) -> Result<Self, Trouble> {
-        let source = Source::Memory {
-            name: name.to_owned(),
-            bytes: bytes.to_vec(),
-        };
-        let options = ReadOptions::default();
-        let format = Format::from_path(Path::new(name)).or_else(|| Format::sniff(bytes));
-        if format == Some(Format::Vtu) {
-            let mesh = read_mesh(&source, &options, &())?;
-            let start = counter_clockwise(mesh.triangles, &mesh.vertices.points);
-            let mut data = DomainData::from(mesh.vertices);
-            data.segments = mesh.constraints.map_or_else(Vec::new, |c| c.edges);
-            return Ok(Self { data, start });
-        }
-        Ok(read_domain(&source, &options, &())?.into())
+    /// Copies the drawing.
+    pub fn copy(&self) -> Self {
+        self.clone()
+    }
+
+    /// Makes a list of edits in their order, all or none. `edits` is JSON, an array of
+    ///
+    /// - `{"addPoint": [x, y]}`, `{"movePoint": [i, x, y]}`, `{"removePoint": i}` with the segments that end there;
+    /// - `{"addSegment": [i, j]}`, `{"removeSegment": k}`;
+    /// - `{"addHole": [x, y]}`, `{"moveHole": [k, x, y]}`, `{"removeHole": k}`;
+    /// - `{"addRegion": [x, y, attribute, largest area or null]}`, `{"moveRegion": [k, x, y]}`, `{"removeRegion": k}`;
+    /// - `{"clear": true}`.
+    ///
+    /// Numbers count from 0, and those behind what is removed move down by one. A new point has no value in any
+    /// attribute and marker 0. Whoever edits points loses the triangles that a file brought. An error names the edit, and
+    /// nothing is changed.
+    ///
+    /// *Cost*: constant for a single edit that adds or moves, linear for all else; many points are best
+    /// removed in one list, the last one first.
+    pub fn edit(&mut self, edits: &str) -> Result<(), Trouble> {
+        edit::apply(self, &Edit::list(edits)?)
     }
 
     /// Draws a preset; `count`, of points or segments, and `seed` matter for those that say so.
@@ -106,6 +114,17 @@ impl Drawing {
     /// Returns the coordinates of a place in each hole.
     pub fn holes(&self) -> Vec<f64> {
         json::coordinates(self.data.holes.iter().copied())
+    }
+
+    /// Returns the regions, four numbers each: x and y of a place in it, its attribute, and its largest area or NaN.
+    pub fn regions(&self) -> Vec<f64> {
+        let row = |r: &Region| [r.at.x, r.at.y, r.attribute, r.max_area.unwrap_or(f64::NAN)];
+        self.data.regions.iter().flat_map(row).collect()
+    }
+
+    /// Returns the corners of the triangles that a file brought, counter-clockwise; none unless it was a mesh.
+    pub fn triangles(&self) -> Vec<u32> {
+        json::indices(self.start.iter().copied())
     }
 
     /// Tells what is there, as JSON: `{points, segments, holes, regions, triangles, rule, attributes, leftOut}`;
@@ -146,61 +165,5 @@ fn rows<T: Copy, const N: usize>(what: &str, list: &[T]) -> Result<Vec<[T; N]>, 
             let message = format!("{what}: {n} numbers are no multiple of {N}");
             Err(Trouble::asked(message))
         }
-    }
-}
-
-/// Turns triangles counter-clockwise; a file may have them either way.
-fn counter_clockwise(mut triangles: Vec<[VertexId; 3]>, points: &[Point]) -> Vec<[VertexId; 3]> {
-    for corners in &mut triangles {
-        let [a, b, c] = corners.map(|v| points[v.index()]);
-        if orient2d(a, b, c) == Orientation::Right {
-            corners.swap(1, 2);
-        }
-    }
-    triangles
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_goes_in_comes_out() {
-        let points = [0.0, 0.0, 4.0, 0.0, 0.0, 3.0];
-        let drawing = Drawing::new(&points, &[0, 1, 1, 2], &[1.0, 1.0]).expect("a drawing");
-        assert_eq!(drawing.points(), points);
-        assert_eq!(drawing.segments(), [0, 1, 1, 2]);
-        assert_eq!(drawing.holes(), [1.0, 1.0]);
-        assert!(drawing.about().contains(r#""rule":"carve""#));
-    }
-
-    #[test]
-    fn nonsense_is_refused_by_name() {
-        let refused = |points: &[f64], segments: &[u32]| {
-            let drawing = Drawing::new(points, segments, &[]);
-            drawing.expect_err("nonsense").to_string()
-        };
-        assert!(refused(&[0.0; 3], &[]).contains("points: 3 numbers"));
-        assert!(refused(&[0.0; 4], &[0, 2]).contains("segment 0 joins 0 and 2 of 2 points"));
-    }
-
-    #[test]
-    fn files_are_read_from_memory_and_errors_name_the_line() {
-        let wkt =
-            Drawing::from_file("a.wkt", b"POLYGON ((0 0, 4 0, 0 4, 0 0))").expect("a polygon");
-        assert_eq!(wkt.points().len(), 6);
-        let error = Drawing::from_file("b.csv", b"x,y\n1,2\n3,oops\n").expect_err("a broken line");
-        assert!(error.to_string().contains("b.csv:3"), "{error}");
-        Drawing::from_file("c.ele", b"1 3 0\n1 1 2 3\n").expect_err("points are missing");
-    }
-
-    #[test]
-    fn a_mesh_brings_its_triangles() {
-        let mesh = Drawing::preset("grid", 16, 1).expect("points");
-        let mesh = crate::mesh::Mesh::triangulate(&mesh, None).expect("a mesh");
-        let files = mesh.save("a.vtu", None).expect("a file");
-        let again = Drawing::from_file("a.vtu", &files[0].bytes()).expect("a mesh");
-        assert_eq!(again.start.len(), 18);
-        assert_eq!(again.points().len(), 32);
     }
 }

@@ -1,24 +1,32 @@
 //! The library's own work: triangulations, domains, refined meshes.
 
+mod causes;
+mod explain;
 mod figures;
+mod measures;
+mod options;
+mod sentence;
+#[cfg(test)]
+mod tests;
 
-use crate::drawing::{Drawing, Rule};
+use crate::drawing::Drawing;
 use crate::progress::Progress;
 use crate::save::{self, SavedFile};
 use crate::{Trouble, json};
+use causes::Causes;
+use delone::locate::{Location, locate};
 use delone::{
-    Angle, Budget, ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, DomainRule,
-    Encroachment, Outcome, Quality, RefinedMesh, Refinement, SegmentPolicy, Strategy,
-    Triangulation,
+    ConstrainedDelaunay, ConstrainedTriangulation, Delaunay, HalfEdgeId, Outcome, Point,
+    RefinedMesh, TriangleId, Triangulation,
 };
 use delone_io::DomainData;
+use explain::Explanation;
 use figures::Figures;
 use js_sys::Function;
-use serde::Deserialize;
+use measures::Measure;
+use options::Options;
+use std::cell::Cell;
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// Vertices beyond which refinement does not go unless it is asked to.
-const USUAL_BUDGET: usize = 1_000_000;
 
 /// A finished triangulation.
 #[wasm_bindgen]
@@ -26,6 +34,10 @@ pub struct Mesh {
     pub(crate) built: Built,
     /// Attributes and markers; points and segments are in what was built.
     pub(crate) data: DomainData,
+    /// Why vertices were added, if that was to be kept.
+    causes: Option<Causes>,
+    /// Where a point was found last: pointers move little between two questions.
+    found: Cell<Option<HalfEdgeId>>,
 }
 
 /// What was built.
@@ -33,76 +45,6 @@ pub(crate) enum Built {
     Points(Triangulation),
     Domain(Box<ConstrainedTriangulation>),
     Refined(Box<RefinedMesh>),
-}
-
-/// How a domain is understood, and how good its triangles are to be.
-#[derive(Default, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields, default)]
-struct Options {
-    domain: Option<Rule>,
-    crossings: Crossings,
-    min_angle: Option<f64>,
-    max_edge: Option<f64>,
-    max_area: Option<f64>,
-    region_areas: bool,
-    max_vertices: Option<usize>,
-    smoothing: usize,
-    conforming: bool,
-    thesis: bool,
-}
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Crossings {
-    #[default]
-    Error,
-    Split,
-}
-
-impl From<Crossings> for SegmentPolicy {
-    fn from(crossings: Crossings) -> Self {
-        match crossings {
-            Crossings::Error => Self::Error,
-            Crossings::Split => Self::Split,
-        }
-    }
-}
-
-impl Options {
-    fn rule(&self, data: &DomainData) -> DomainRule {
-        self.domain.map_or(data.usual_rule, Into::into)
-    }
-
-    fn quality(&self) -> Quality {
-        Quality {
-            min_angle: self.min_angle.filter(|&a| a != 0.0).map(Angle::degrees),
-            max_edge: self.max_edge,
-            max_area: self.max_area,
-            region_areas: self.region_areas,
-        }
-    }
-
-    fn refinement(&self, data: &DomainData) -> Refinement<'_> {
-        let budget = Budget {
-            vertices: Some(self.max_vertices.unwrap_or(USUAL_BUDGET)),
-            ..Budget::default()
-        };
-        let encroachment = match self.conforming {
-            true => Encroachment::Circle,
-            false => Encroachment::Lens,
-        };
-        let strategy = match self.thesis {
-            true => Strategy::Thesis,
-            false => Strategy::Delaunay,
-        };
-        Refinement::new(self.quality())
-            .budget(budget)
-            .encroachment(encroachment)
-            .smoothing(self.smoothing)
-            .strategy(strategy)
-            .crossings(self.crossings.into())
-            .domain(self.rule(data))
-    }
 }
 
 #[wasm_bindgen]
@@ -115,9 +57,9 @@ impl Mesh {
         let progress = Progress::told_to(progress);
         let mut data = DomainData::from(drawing.data.vertices.clone());
         let points = std::mem::take(&mut data.vertices.points);
-        let built = Delaunay::new().watch(&progress).triangulate(points)?;
-        let built = Built::Points(built);
-        Ok(Self { built, data })
+        let built = Delaunay::new().watch(&progress).triangulate(points);
+        let built = built.map_err(|error| Trouble::of_drawing(error, drawing))?;
+        Ok(Self::of(Built::Points(built), data))
     }
 
     /// Triangulates points and segments, and carves what lies outside.
@@ -133,19 +75,20 @@ impl Mesh {
         let progress = Progress::told_to(progress);
         let mut data = drawing.data.clone();
         let built = ConstrainedDelaunay::new()
-            .crossings(options.crossings.into())
+            .crossings(options.crossings())
             .domain(options.rule(&data))
             .watch(&progress)
-            .triangulate(data.take_pslg())?;
-        let built = Built::Domain(built.into());
-        Ok(Self { built, data })
+            .triangulate(data.take_pslg())
+            .map_err(|error| Trouble::of_drawing(error, drawing))?;
+        Ok(Self::of(Built::Domain(built.into()), data))
     }
 
     /// Triangulates points and segments, and adds vertices until triangles are good.
     ///
     /// `options` is that of `constrain`, and `{minAngle, maxEdge, maxArea, regionAreas, maxVertices, smoothing,
-    /// conforming, thesis}`: degrees, lengths, areas; at most a million vertices by default; passes of smoothing;
-    /// Ruppert's circles instead of Chew's lenses; the strategy of the thesis.
+    /// conforming, thesis, explains}`: degrees, lengths, areas; at most a million vertices by default; passes of
+    /// smoothing; Ruppert's circles instead of Chew's lenses; the strategy of the thesis; whether to keep why each
+    /// vertex was added, for `explain` and `sentence`: about 40 bytes a vertex.
     pub fn refine(
         drawing: &Drawing,
         options: Option<String>,
@@ -155,12 +98,18 @@ impl Mesh {
         let progress = Progress::told_to(progress);
         let mut data = drawing.data.clone();
         let refinement = options.refinement(&data).watch(&progress);
-        let refined = refinement.mesh(data.take_pslg())?;
+        let pslg = data.take_pslg();
+        let mut causes = options.explains().then(|| Causes::new(options.is_thesis()));
+        let refined = match &mut causes {
+            Some(causes) => refinement.observe(pslg, causes),
+            None => refinement.mesh(pslg),
+        };
+        let refined = refined.map_err(|error| Trouble::of_drawing(error, drawing))?;
         if refined.report.outcome == Outcome::Cancelled {
             return Err(delone::Error::Cancelled.into());
         }
-        let built = Built::Refined(refined.into());
-        Ok(Self { built, data })
+        let mesh = Self::of(Built::Refined(refined.into()), data);
+        Ok(Self { causes, ..mesh })
     }
 
     /// Returns the coordinates of the vertices: those of the drawing first, in its order.
@@ -204,6 +153,64 @@ impl Mesh {
         json::write(&Figures::of(self))
     }
 
+    /// Explains a triangle, as JSON: `{triangle, corners, angles, edges, area, region, unmet, vertices, circumcenter,
+    /// radius, isDelaunay}`. Angles are degrees; edges lie opposite the corners; `isDelaunay`: no vertex at all is
+    /// within its circle, not even behind segments. `unmet` is null if nothing is, otherwise `{broken, reason, excused,
+    /// corner, segments, angle}`: `broken` is `"angle"`, `"edge"` or `"area"`, or several with blanks between; `reason` is
+    /// `"smallInputAngle"` (with corner, segments and the angle between them), `"lockedBoundary"`, `"precision"`,
+    /// `"gradation"` or `"stopped"`.
+    ///
+    /// A vertex is `{vertex, at, origin, segment, segments, cause}`: `origin` is `"input"`, `"crossing"` (of `segments`),
+    /// `"onSegment"` (`segment` is null on the hull) or `"free"`. `cause` is null if it was not added, or not kept
+    /// (`explains`), otherwise `{rule, parent, edge, by, step}`: `rule` is `"circumcenter"`, `"rejectedCircumcenter"`,
+    /// `"encroachment"`, `"size"` or `"lattice"`; `parent` are the places of the corners of the triangle that was to go,
+    /// or of the ends of the edge that was divided; `edge` those ends, or null; `by` is the vertex that lay too close.
+    pub fn explain(&self, triangle: usize) -> Result<String, Trouble> {
+        Ok(json::write(&Explanation::of(self, triangle)?))
+    }
+
+    /// Says why a triangle is as it is, in two or three sentences; `language` is `"en"` or `"de"`.
+    pub fn sentence(&self, triangle: usize, language: &str) -> Result<String, Trouble> {
+        let language = language.parse().map_err(Trouble::Asked)?;
+        let told = Explanation::of(self, triangle)?;
+        let asked = self.refined().map(|refined| &refined.report.asked);
+        Ok(sentence::say(&told, asked, language))
+    }
+
+    /// Measures every triangle: `"minAngle"` and `"maxAngle"` in degrees, `"area"`, `"longestEdge"`, `"radiusRatio"` (1 for
+    /// an equilateral triangle, 0 for a flat one) or `"region"` (its number, or −1).
+    pub fn measures(&self, measure: &str) -> Result<Vec<f32>, Trouble> {
+        let measure: Measure = measure.parse()?;
+        let mut all = Vec::with_capacity(self.triangulation().num_triangles());
+        all.extend(measure.all(self).map(|value| value as f32));
+        Ok(all)
+    }
+
+    /// Counts the triangles by a measure in even bins, as JSON: `{low, high, counts}`. Angles and ratios are counted from
+    /// the least to the largest that there can be, all else from the least to the largest that there is.
+    pub fn histogram(&self, measure: &str, bins: usize) -> Result<String, Trouble> {
+        let measure: Measure = measure.parse()?;
+        Ok(json::write(&measure.histogram(self, bins)?))
+    }
+
+    /// Returns the triangle of the domain in which a place lies, by number; `undefined` outside. Of several that it
+    /// touches it is the first.
+    ///
+    /// *Cost*: a walk from the place that was asked for last.
+    #[wasm_bindgen(js_name = triangleAt)]
+    pub fn triangle_at(&self, x: f64, y: f64) -> Option<usize> {
+        let (t, goal) = (self.triangulation(), Point::new(x, y));
+        if !goal.is_finite() || t.num_triangles() == 0 {
+            return None;
+        }
+        let hint = self.found.get().unwrap_or(HalfEdgeId::new(0));
+        let location = locate(t.mesh(), t.points(), hint, goal);
+        if let Location::Face(face) = location {
+            self.found.set(Some(face.half_edges()[0]));
+        }
+        location.triangle(t).map(TriangleId::index)
+    }
+
     /// Writes the mesh: `name` tells the format (`.ele` and its family, `.poly`, `.npy`, `.vtu`, `.geojson`,
     /// `.svg`, `.png`). `options` is JSON: `{oneBased, quadratic, size, legend}`.
     pub fn save(&self, name: &str, options: Option<String>) -> Result<Vec<SavedFile>, Trouble> {
@@ -229,6 +236,15 @@ impl Mesh {
 }
 
 impl Mesh {
+    fn of(built: Built, data: DomainData) -> Self {
+        Self {
+            built,
+            data,
+            causes: None,
+            found: Cell::new(None),
+        }
+    }
+
     pub(crate) fn triangulation(&self) -> &Triangulation {
         match &self.built {
             Built::Points(triangulation) => triangulation,
@@ -250,66 +266,5 @@ impl Mesh {
             Built::Refined(refined) => Some(refined),
             _ => None,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn preset(name: &str) -> Drawing {
-        Drawing::preset(name, 200, 1).expect("a preset")
-    }
-
-    #[test]
-    fn points_are_triangulated_with_and_without_a_domain_alike() {
-        let drawing = preset("uniform");
-        let bare = Mesh::triangulate(&drawing, None).expect("a mesh");
-        let domain = Mesh::constrain(&drawing, None, None).expect("a mesh");
-        assert_eq!(bare.hash(), domain.hash());
-        assert_eq!(bare.triangles().len() % 3, 0);
-        assert!(bare.quality().contains(r#""outcome":null"#));
-    }
-
-    #[test]
-    fn refinement_reaches_what_is_asked_for() {
-        let options = r#"{"minAngle": 25, "maxEdge": 0.5, "smoothing": 1}"#.to_owned();
-        let mesh = Mesh::refine(&preset("thesis"), Some(options), None).expect("a mesh");
-        let figures = Figures::of(&mesh);
-        assert!(figures.longest_edge.is_some_and(|edge| edge <= 0.5));
-        assert!(mesh.quality().contains(r#""outcome":"complete""#));
-        assert!(!mesh.constrained().is_empty());
-    }
-
-    #[test]
-    fn crossings_are_an_error_unless_they_are_split() {
-        let drawing = preset("degenerate-grid");
-        let error = Mesh::constrain(&drawing, None, None)
-            .err()
-            .expect("crossings");
-        assert!(error.to_string().contains("cross"), "{error}");
-        let split = r#"{"crossings": "split"}"#.to_owned();
-        let mesh = Mesh::constrain(&drawing, Some(split), None).expect("a mesh");
-        assert!(Figures::of(&mesh).crossings_split > 0);
-    }
-
-    #[test]
-    fn unknown_options_are_refused() {
-        for bad in [r#"{"minangle": 25}"#, r#"{"minAngle": "x"}"#, "nonsense"] {
-            let refused = Mesh::refine(&preset("thesis"), Some(bad.to_owned()), None);
-            let error = refused.err().expect("nonsense");
-            assert!(error.to_string().starts_with("options: "), "{error}");
-        }
-        let impossible = r#"{"minAngle": 90}"#.to_owned();
-        let refused = Mesh::refine(&preset("thesis"), Some(impossible), None);
-        assert!(refused.is_err());
-    }
-
-    #[test]
-    fn points_on_a_line_have_no_triangles_and_no_measures() {
-        let mesh = Mesh::triangulate(&preset("collinear"), None).expect("a mesh");
-        assert!(mesh.triangles().is_empty());
-        assert_eq!(mesh.edges().len(), 2 * 23);
-        assert!(mesh.quality().contains(r#""minAngle":null"#));
     }
 }

@@ -14,6 +14,15 @@ use serde::{Deserialize, Serialize};
 /// What tells these files from other JSON.
 const FORMAT: &str = "delone-log";
 
+/// Bytes in which a log says that it is one.
+const HEAD: usize = 4096;
+
+/// Tells whether JSON says near its beginning that it is a log.
+pub(super) fn sniff(head: &[u8]) -> bool {
+    let head = &head[..head.len().min(HEAD)];
+    memchr::memmem::find(head, FORMAT.as_bytes()).is_some()
+}
+
 /// A step as it stands in the file.
 #[derive(Serialize)]
 struct Row<'a> {

@@ -84,6 +84,15 @@ impl LogFormat {
         (first == Some(&b'{')).then_some(Self::Json)
     }
 
+    /// Tells whether a content begins like a log: other JSON does not say that it is one.
+    pub fn is_log(head: &[u8]) -> bool {
+        match Self::sniff(head) {
+            Some(Self::Binary) => true,
+            Some(Self::Json) => json::sniff(head),
+            None => false,
+        }
+    }
+
     fn names() -> String {
         Self::ALL.map(Self::name).join(", ")
     }

@@ -26,6 +26,7 @@ fn read(bytes: &[u8]) -> Result<Recording, Error> {
 fn check_round_trip(recording: &Recording) {
     for format in LogFormat::ALL {
         let bytes = bytes_of(recording, format);
+        assert!(LogFormat::is_log(&bytes));
         let back = read(&bytes).unwrap_or_else(|e| panic!("{format}: {e}"));
         assert_eq!(&back, recording, "{format}");
         // Zeros have signs, too.
