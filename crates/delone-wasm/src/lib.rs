@@ -2,6 +2,7 @@
 //!
 //! - [`drawing`]: points, segments and holes: given, read from a file's bytes, or a preset.
 //! - [`play`]: a classical algorithm at work, played forwards and backwards.
+//! - [`look`]: what lies at a place, for whoever points at it.
 //! - [`mesh`]: the library's own triangulation and refinement.
 //! - [`save`]: every format, as bytes.
 //!
@@ -15,6 +16,7 @@
 
 pub mod drawing;
 mod json;
+pub mod look;
 pub mod mesh;
 pub mod play;
 mod progress;

@@ -14,7 +14,7 @@ fn drawing(algorithm: &str) -> Drawing {
 fn every_algorithm_plays_to_the_end_and_back() {
     for algorithm in Algorithm::ALL {
         let name = algorithm.about().name;
-        let mut player = Player::run(name, &drawing(name), None).expect(name);
+        let mut player = Player::run(name, &drawing(name), None, None).expect(name);
         let first = player.points();
         for position in 0..=player.length() {
             player.seek(position).expect("a step that fits");
@@ -38,7 +38,7 @@ fn every_algorithm_plays_to_the_end_and_back() {
 #[test]
 fn the_result_is_that_of_the_library() {
     let drawing = drawing("incremental");
-    let mut player = Player::run("incremental", &drawing, None).expect("a run");
+    let mut player = Player::run("incremental", &drawing, None, None).expect("a run");
     player.seek(u32::MAX).expect("the end");
     let mesh = crate::mesh::Mesh::triangulate(&drawing, None).expect("a mesh");
     assert_eq!(player.hash(), mesh.hash());
@@ -49,7 +49,7 @@ fn the_result_is_that_of_the_library() {
 fn kinds_name_events_as_logs_do() {
     for algorithm in Algorithm::ALL {
         let name = algorithm.about().name;
-        let player = Player::run(name, &drawing(name), None).expect(name);
+        let player = Player::run(name, &drawing(name), None, None).expect(name);
         for step in player.steps() {
             let kind = seeking::kind(&step.event);
             let written = json::write(&step.event);
@@ -60,7 +60,7 @@ fn kinds_name_events_as_logs_do() {
 
 #[test]
 fn steps_are_found_by_kind_in_both_directions() {
-    let player = Player::run("flip-list", &drawing("flip-list"), None).expect("a run");
+    let player = Player::run("flip-list", &drawing("flip-list"), None, None).expect("a run");
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(next) = player.next("flip", at).expect("a kind") {
@@ -87,7 +87,7 @@ fn steps_are_found_by_kind_in_both_directions() {
 
 #[test]
 fn runs_are_saved_and_read_again() {
-    let player = Player::run("sweep", &drawing("sweep"), None).expect("a run");
+    let player = Player::run("sweep", &drawing("sweep"), None, None).expect("a run");
     for name in ["run.dlog", "run.json"] {
         let files = player.save(name, None).expect("a log");
         let again = Player::from_log(name, &files[0].bytes()).expect("a run");
@@ -103,11 +103,39 @@ fn runs_are_saved_and_read_again() {
 #[test]
 fn what_is_not_there_is_refused() {
     let drawing = drawing("sweep");
-    let unknown = Player::run("quicksort", &drawing, None)
+    let unknown = Player::run("quicksort", &drawing, None, None)
         .err()
         .expect("unknown");
     assert!(unknown.to_string().contains("greedy-flips"));
     let options = Some(r#"{"sede": 1}"#.to_owned());
-    assert!(Player::run("sweep", &drawing, options).is_err());
+    assert!(Player::run("sweep", &drawing, options, None).is_err());
     assert!(Player::from_log("a.dlog", b"nonsense").is_err());
+}
+
+/// A run that tells of itself at least twice, and a listener that says stop at the second time.
+#[test]
+fn a_run_stops_when_it_is_told_to() {
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+    let drawing = Drawing::preset("uniform", 3000, 1).expect("points");
+    let record = |most: usize| {
+        let (calls, last) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let listener = |steps| {
+            assert!(steps > last.swap(steps, Relaxed));
+            calls.fetch_add(1, Relaxed) + 1 < most
+        };
+        let options = run::Options::default();
+        let run = run::record("divide-and-conquer", &drawing, &options, &listener);
+        (run, calls.into_inner())
+    };
+    let (run, calls) = record(usize::MAX);
+    let (recording, times) = run.expect("a run");
+    let steps = recording.log.steps.len();
+    assert!(
+        calls > 2 && calls == steps >> 14,
+        "{calls} calls in {steps} steps"
+    );
+    assert!(times.at(steps) > 0.0);
+    let (run, calls) = record(2);
+    assert_eq!(run.expect_err("cancelled").to_string(), "cancelled");
+    assert_eq!(calls, 2);
 }
