@@ -190,6 +190,8 @@ mod tests {
             ("incremental", "uniform"),
             ("thesis", "thesis"),
             ("greedy-flips", "grid"),
+            ("flip-list", "cocircular"),
+            ("bowyer-watson", "collinear"),
         ] {
             let mut player = run(algorithm, preset);
             let curves =

@@ -139,3 +139,39 @@ fn a_run_stops_when_it_is_told_to() {
     assert_eq!(run.expect_err("cancelled").to_string(), "cancelled");
     assert_eq!(calls, 2);
 }
+
+#[test]
+fn whatever_there_is_can_be_asked_about() {
+    let nothing = Drawing::new(&[], &[], &[]).expect("nothing");
+    let preset = |name| Drawing::preset(name, 20, 1).expect(name);
+    let drawings = ["uniform", "grid", "cocircular", "collinear"].map(preset);
+    for drawing in drawings.iter().chain([&nothing]) {
+        for algorithm in Algorithm::ALL {
+            let name = algorithm.about().name;
+            let Ok(mut player) = Player::run(name, drawing, None, None) else {
+                continue;
+            };
+            for position in [0, player.length() / 2, player.length()] {
+                player.seek(position).expect("a step that fits");
+                let counts = player.angles().iter().sum::<u32>() as usize;
+                assert_eq!(counts, player.triangles().len() / 3, "{name}");
+                assert!(player.illegal().len() <= 2 * player.edges().len());
+                let edge = player.half_edges_at(0.3, 0.4).expect("a place");
+                assert_eq!(edge == "null", player.edges().is_empty(), "{name}");
+                let looker = player.looker();
+                let nearest = looker.nearest(0.3, 0.4).expect("a place");
+                assert_eq!(nearest == "null", player.points().is_empty(), "{name}");
+                looker.cells(None).expect("cells");
+                let steps = format!(r#""steps":{position},"#);
+                assert!(player.tally_at(position).contains(&steps), "{name}");
+                assert_eq!(
+                    player.position_at("steps", position.into()).expect("steps"),
+                    position
+                );
+            }
+            let end = player.search(r#"[{"kind": "result"}]"#, 0, false);
+            let last = Some(player.length()).filter(|&length| length > 0);
+            assert_eq!(end.expect("a kind"), last, "{name}");
+        }
+    }
+}
