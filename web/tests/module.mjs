@@ -102,6 +102,62 @@ const everyAlgorithmPlays = () => {
   }
 };
 
+const runsAreSurveyed = () => {
+  const calls = [];
+  const drawing = Drawing.preset("uniform", 400, 1);
+  const player = Player.run("flip-list", drawing, undefined, (...told) => void calls.push(told));
+  assert(calls.length > 0 && calls.every(([phase, steps, total]) => phase === "recording" && steps > 0 && total === 0));
+  const flips = player.curve("flips", 100);
+  assert(flips instanceof Float64Array && flips.length <= 200);
+  assert.equal(flips.at(-1), JSON.parse(player.tally()).flips);
+  assert.equal(player.tallyAt(player.length), player.tally());
+  assert.equal(player.positionAt("steps", 100.5), 100);
+  assert(player.total("milliseconds") > 0);
+  assert.equal(player.positionAt("milliseconds", Infinity), player.length);
+  const half = player.positionAt("predicates", player.total("predicates") / 2);
+  assert(half > 0 && half < player.length);
+  const position = player.search('[{"kind": "flip"}, {"curve": "flips", "above": 5}]', 0, false);
+  assert.equal(position, player.next("flip", 0));
+  assert.equal(player.search('[{"line": 999}]', player.length, true), undefined);
+  player.seek(half);
+  const illegal = player.illegal();
+  assert(illegal.length > 0);
+  const [a, b, c, d] = illegal;
+  assert.deepEqual(JSON.parse(player.side(a, b, c, d)), { side: "inside", counts: "inside" });
+  assert(JSON.parse(player.circle(a, b, c)).radius > 0);
+  player.seek(player.length);
+  assert.deepEqual([player.illegal().length, player.cocircular().length], [0, 0]);
+  assert.equal(player.angles().reduce((sum, n) => sum + n) * 3, player.triangles().length);
+  console.log(`  ${player.length} steps in ${player.total("milliseconds").toFixed(1)} ms`);
+};
+
+const placesAreFound = () => {
+  const player = Player.run("incremental", Drawing.preset("grid", 400, 1));
+  assert.equal(player.halfEdgesAt(0, 0), "null");
+  player.seek(player.length);
+  assert.equal(player.cocircular().length / 4, 19 * 19);
+  const edge = JSON.parse(player.halfEdgesAt(3.5, 4.1));
+  assert.deepEqual(edge.sides[0].next, [edge.sides[0].dest, edge.sides[0].apex]);
+  const looker = player.looker();
+  const { vertex, distance, walk } = JSON.parse(looker.nearest(3.25, 4));
+  assert.deepEqual([...player.points().slice(2 * vertex, 2 * vertex + 2), distance], [3, 4, 0.25]);
+  const triangle = looker.triangleAt(3.6, 4.3);
+  assert.equal(JSON.parse(looker.nearest(3.6, 4.3)).walk.at(-1), triangle);
+  assert(walk.length > 0);
+  assert.equal(looker.triangleAt(-9, 0), undefined);
+  const cells = looker.cells();
+  assert(cells instanceof Float64Array);
+  assert.equal(cells.length / 4, 2 * 19 * 20);
+  assert(looker.cells([0, 0, 3, 3]).every((coordinate) => coordinate >= 0 && coordinate <= 3));
+  const large = Player.run("divide-and-conquer", Drawing.preset("uniform", 20000, 1));
+  large.seek(large.length);
+  const [made, making] = milliseconds(() => large.looker());
+  const [, asking] = milliseconds(() => made.nearest(0.9, 0.9));
+  const [, drawing] = milliseconds(() => made.cells());
+  const figures = [making, asking, drawing].map((ms) => `${ms.toFixed(1)} ms`);
+  console.log(`  20,000 points: looker ${figures[0]}, nearest ${figures[1]}, cells ${figures[2]}`);
+};
+
 const longRunsAreSoughtQuickly = () => {
   const drawing = Drawing.preset("uniform", 20000, 1);
   const [player, ran] = milliseconds(() => Player.run("divide-and-conquer", drawing));
@@ -254,6 +310,15 @@ const errorsAreErrors = () => {
   refused(() => Mesh.refine(Drawing.preset("lake", 0, 0), '{"minangle": 3}'), /options: /);
   refused(() => Mesh.constrain(Drawing.preset("degenerate-grid", 0, 0)), /cross/);
   refused(() => Mesh.triangulate(Drawing.preset("uniform", 100000, 1), () => false), /cancel/i);
+  const large = Drawing.preset("uniform", 5000, 1);
+  refused(() => Player.run("incremental", large, undefined, () => false), /^cancelled$/);
+  const player = Player.run("incremental", Drawing.preset("uniform", 10, 1));
+  refused(() => player.search('[{"vertexes": 3}]', 0, false), /conditions: /);
+  refused(() => player.search("[{}]", 0, false), /one of the keys/);
+  refused(() => player.curve("flaps"), /no curve is called/);
+  refused(() => player.positionAt("hours", 1), /no unit/);
+  refused(() => player.circle(0, 1, 10), /no vertex 10/);
+  refused(() => player.looker().triangleAt(NaN, 0), /no place/);
 };
 
 const check = (name, work) => {
@@ -265,6 +330,8 @@ try {
   check("hashes agree with the program's", hashesAgree);
   check("refined meshes agree with the program's", refinementAgrees);
   check("every algorithm plays", everyAlgorithmPlays);
+  check("runs are surveyed", runsAreSurveyed);
+  check("places are found", placesAreFound);
   check("long runs are sought quickly", longRunsAreSoughtQuickly);
   check("files are written", filesAreWritten);
   check("drawings are edited", drawingsAreEdited);

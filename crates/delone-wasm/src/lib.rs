@@ -2,6 +2,7 @@
 //!
 //! - [`drawing`]: points, segments and holes: given, read from a file's bytes, or a preset.
 //! - [`play`]: a classical algorithm at work, played forwards and backwards.
+//! - [`look`]: what lies at a place, for whoever points at it.
 //! - [`mesh`]: the library's own triangulation and refinement.
 //! - [`save`]: every format, as bytes; [`formats`]: which these are.
 //!
@@ -18,6 +19,7 @@ mod bounds;
 pub mod drawing;
 pub mod formats;
 mod json;
+pub mod look;
 pub mod mesh;
 pub mod play;
 mod progress;

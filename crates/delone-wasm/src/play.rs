@@ -2,18 +2,35 @@
 //!
 //! A [`Player`] stands between two steps. To go elsewhere takes the steps in between, forwards or backwards, from
 //! where it stands or from the nearest of some scenes that it has kept on its way (`tape.rs`).
+//!
+//! What it tells of the whole run: `ledger.rs` (how much work up to a step), `curve.rs` (numbers that change),
+//! `search.rs` (steps to be found). What it tells of a scene beyond its lists: `judging.rs`, `half_edges.rs` and
+//! [`look`](crate::look).
 
+mod clock;
+mod curve;
+mod half_edges;
+mod judging;
+mod keeper;
+mod ledger;
 mod marks;
+mod named;
 mod run;
+mod search;
 mod seeking;
 mod tape;
 
 use crate::drawing::Drawing;
+use crate::look::Looker;
+use crate::progress::Progress;
 use crate::{Trouble, json};
+use clock::Times;
 use delone::classic::Algorithm;
-use delone::{Item, Scene, Step, Tally, VertexId};
+use delone::{Item, Scene, Step, VertexId};
 use delone_io::narration::{Language, narrate};
 use delone_io::{Recording, Source, read_log};
+use js_sys::Function;
+use ledger::Ledger;
 use marks::Mark;
 use seeking::Kind;
 use serde::Serialize;
@@ -28,7 +45,7 @@ const NONE: u32 = u32::MAX;
 pub struct Player {
     recording: Recording,
     tape: Tape,
-    tally: Tally,
+    ledger: Ledger,
 }
 
 /// What there is to say of an algorithm.
@@ -68,13 +85,20 @@ impl Player {
     ///
     /// `options` is JSON: `{seed, minAngle, maxEdge, dataPerTriangle, domain}`: for random orders; bounds for
     /// `thesis`; for algorithms that cover data; `"hull"`, `"carve"` or `"evenodd"`.
+    ///
+    /// `progress` is called with `("recording", steps, 0)` now and then, for nobody knows how many there will be;
+    /// the run stops, with an error, once it returns `false`.
     pub fn run(
         algorithm: &str,
         drawing: &Drawing,
         options: Option<String>,
+        progress: Option<Function>,
     ) -> Result<Self, Trouble> {
-        let recording = run::record(algorithm, drawing, &json::options(options.as_deref())?)?;
-        Ok(Self::of(recording))
+        let options = json::options(options.as_deref())?;
+        let progress = Progress::told_to(progress);
+        let listener = |steps| progress.tell("recording", steps as u64, 0);
+        let (recording, times) = run::record(algorithm, drawing, &options, &listener)?;
+        Ok(Self::of(recording, Some(times)))
     }
 
     /// Reads a run from the bytes of a log file, `.json` or `.dlog`.
@@ -84,7 +108,7 @@ impl Player {
             name: name.to_owned(),
             bytes: bytes.to_vec(),
         };
-        Ok(Self::of(read_log(&source, &())?))
+        Ok(Self::of(read_log(&source, &())?, None))
     }
 
     /// Returns the name of the algorithm.
@@ -119,20 +143,6 @@ impl Player {
     /// Goes to where so many steps have been taken; beyond the end, to the end.
     pub fn seek(&mut self, position: u32) -> Result<(), Trouble> {
         Ok(self.tape.seek(&self.recording.log, position as usize)?)
-    }
-
-    /// Finds the next position after `from` at which a step of this kind has just been taken; `undefined` if there
-    /// is none. A kind is that of an event (`"edge-flipped"` …), or one of `"flip"`, `"insertion"`, `"test"`,
-    /// `"change"`, `"stage"`, `"line"` (the first step of another line), `"result"` (the end).
-    pub fn next(&self, kind: &str, from: u32) -> Result<Option<u32>, Trouble> {
-        let found = seeking::next(self.steps(), kind, from as usize)?;
-        Ok(found.map(|at| at as u32))
-    }
-
-    /// Finds the last such position before `from`.
-    pub fn previous(&self, kind: &str, from: u32) -> Result<Option<u32>, Trouble> {
-        let found = seeking::previous(self.steps(), kind, from as usize)?;
-        Ok(found.map(|at| at as u32))
     }
 
     /// Returns the coordinates of the vertices.
@@ -192,6 +202,12 @@ impl Player {
             .collect()
     }
 
+    /// Makes what finds places in the scene: triangles by their order in `triangles`.
+    pub fn looker(&self) -> Looker {
+        let scene = self.scene();
+        Looker::of(scene.vertices().map(|(_, p)| p), scene.triangles())
+    }
+
     /// Returns the hash of the triangles.
     pub fn hash(&self) -> String {
         self.scene().hash().to_string()
@@ -222,20 +238,13 @@ impl Player {
         let step = self.last_step();
         Ok(step.map_or_else(String::new, |step| narrate(step.event, language)))
     }
-
-    /// Counts what the whole run has done, as JSON: `{steps, orientationTests, circleTests, ties, walkSteps, flips,
-    /// edgesCreated, edgesDeleted, trianglesCreated, trianglesDeleted, verticesCreated, pushed, firstConflicts,
-    /// lastConflicts}`.
-    pub fn tally(&self) -> String {
-        json::write(&run::counts(&self.tally))
-    }
 }
 
 impl Player {
-    fn of(recording: Recording) -> Self {
+    fn of(recording: Recording, times: Option<Times>) -> Self {
         Self {
             tape: Tape::new(&recording.log),
-            tally: run::count(&recording.log),
+            ledger: Ledger::new(&recording.log, times),
             recording,
         }
     }

@@ -28,6 +28,26 @@ impl Progress {
         LISTENER.set(listener);
         Self(())
     }
+
+    /// Tells that `done` of `total` units of a phase are finished, and asks whether to go on.
+    pub fn tell(&self, phase: &str, done: u64, total: u64) -> bool {
+        let function = LISTENER.with_borrow(|l| l.as_ref().map(|l| l.function.clone()));
+        let Some(function) = function else {
+            return true;
+        };
+        // Called while nothing is borrowed: it may do what it likes.
+        let [done, total] = [done, total].map(|n| JsValue::from_f64(n as f64));
+        let answer = function.call3(&JsValue::NULL, &JsValue::from_str(phase), &done, &total);
+        let goes_on = answer.is_ok_and(|answer| answer != JsValue::FALSE);
+        if !goes_on {
+            LISTENER.with_borrow_mut(|l| {
+                if let Some(listener) = l {
+                    listener.has_stopped = true;
+                }
+            });
+        }
+        goes_on
+    }
 }
 
 impl Drop for Progress {
@@ -38,21 +58,7 @@ impl Drop for Progress {
 
 impl Watch for Progress {
     fn progress(&self, phase: Phase, done: u64, total: u64) {
-        let function = LISTENER.with_borrow(|l| l.as_ref().map(|l| l.function.clone()));
-        let Some(function) = function else {
-            return;
-        };
-        let phase = format!("{phase:?}").to_lowercase();
-        // Called while nothing is borrowed: it may do what it likes.
-        let [done, total] = [done, total].map(|n| JsValue::from_f64(n as f64));
-        let answer = function.call3(&JsValue::NULL, &JsValue::from_str(&phase), &done, &total);
-        if answer.map_or(true, |answer| answer == JsValue::FALSE) {
-            LISTENER.with_borrow_mut(|l| {
-                if let Some(listener) = l {
-                    listener.has_stopped = true;
-                }
-            });
-        }
+        self.tell(&format!("{phase:?}").to_lowercase(), done, total);
     }
 
     fn is_cancelled(&self) -> bool {

@@ -183,7 +183,7 @@ fn delaunay(mesh: &Mesh) -> Result<Triangulation, Trouble> {
 }
 
 /// Returns a box with room around points.
-fn around(points: &[Point]) -> [Point; 2] {
+pub(crate) fn around(points: &[Point]) -> [Point; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for p in points {
         low = [low[0].min(p.x), low[1].min(p.y)];

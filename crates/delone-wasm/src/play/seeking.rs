@@ -74,22 +74,8 @@ fn look(event: &Event) -> Kind {
     }
 }
 
-/// Finds the next position after `from` behind a step of a kind.
-pub(super) fn next(steps: &[Step], kind: &str, from: usize) -> Result<Option<usize>, Trouble> {
-    require_known(kind)?;
-    let mut ends = from.saturating_add(1)..=steps.len();
-    Ok(ends.find(|&end| is(steps, end, kind)))
-}
-
-/// Finds the last position before `from` behind a step of a kind.
-pub(super) fn previous(steps: &[Step], kind: &str, from: usize) -> Result<Option<usize>, Trouble> {
-    require_known(kind)?;
-    let ends = 1..from.min(steps.len() + 1);
-    Ok(ends.rev().find(|&end| is(steps, end, kind)))
-}
-
 /// Tells whether the step before a position is of a kind.
-fn is(steps: &[Step], end: usize, wanted: &str) -> bool {
+pub(super) fn is(steps: &[Step], end: usize, wanted: &str) -> bool {
     let Step { line, event } = steps[end - 1];
     match wanted {
         "flip" => matches!(event, Event::EdgeFlipped { .. }),
@@ -116,7 +102,8 @@ fn is(steps: &[Step], end: usize, wanted: &str) -> bool {
     }
 }
 
-fn require_known(wanted: &str) -> Result<(), Trouble> {
+/// Refuses what is no kind of steps.
+pub(super) fn require_known(wanted: &str) -> Result<(), Trouble> {
     // Kinds of events are told by their hyphens: of a log, whichever it has, no other is ever found.
     let may_be_kind = wanted.contains('-') || ["pushed", "popped", "encroached"].contains(&wanted);
     match may_be_kind || GROUPS.contains(&wanted) {
