@@ -106,7 +106,10 @@ const runsAreSurveyed = () => {
   const calls = [];
   const drawing = Drawing.preset("uniform", 400, 1);
   const player = Player.run("flip-list", drawing, undefined, (...told) => void calls.push(told));
-  assert(calls.length > 0 && calls.every(([phase, steps, total]) => phase === "recording" && steps > 0 && total === 0));
+  assert(
+    calls.length > 0 &&
+      calls.every(([phase, steps, total]) => phase === "recording" && steps > 0 && total === 0),
+  );
   const flips = player.curve("flips", 100);
   assert(flips instanceof Float64Array && flips.length <= 200);
   assert.equal(flips.at(-1), JSON.parse(player.tally()).flips);
