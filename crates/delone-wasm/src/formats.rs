@@ -108,7 +108,7 @@ mod tests {
         let mut bare = Drawing::preset("uniform", 9, 1).expect("points");
         let lines = Drawing::new(&bare.points(), &[0, 1], &[]).expect("a drawing");
         let mesh = Mesh::refine(&lake, None, None).expect("a mesh");
-        let player = Player::run("incremental", &bare, None).expect("a run");
+        let player = Player::run("incremental", &bare, None, None).expect("a run");
         bare.edit(r#"[{"addPoint": [9, 9]}]"#).expect("an edit");
         let rows = Format::ALL.into_iter().map(Row::of);
         for row in rows.chain(LogFormat::ALL.map(Row::of_log)) {

@@ -10,6 +10,7 @@ mod sentence;
 mod tests;
 
 use crate::drawing::Drawing;
+use crate::look::Looker;
 use crate::progress::Progress;
 use crate::save::{self, SavedFile};
 use crate::{Trouble, json};
@@ -120,6 +121,12 @@ impl Mesh {
     /// Returns the corners of the triangles, counter-clockwise.
     pub fn triangles(&self) -> Vec<u32> {
         json::indices(self.triangulation().triangles().iter().copied())
+    }
+
+    /// Makes what finds places in the mesh.
+    pub fn looker(&self) -> Looker {
+        let t = self.triangulation();
+        Looker::of(t.points().iter().copied(), t.triangles().iter().copied())
     }
 
     /// Returns the edges, as pairs of vertices.

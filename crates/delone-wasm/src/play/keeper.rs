@@ -56,7 +56,7 @@ impl<'k> Keeper<'k> {
     ///
     /// # Errors
     /// Those of the run; or that it was stopped, even if it had come to its end before it asked.
-    pub fn finish<T>(self, run: Result<T, delone::Error>) -> Result<(Log, Times), Trouble> {
+    pub fn finish<T>(self, run: Result<T, Trouble>) -> Result<(Log, Times), Trouble> {
         if self.brake.is_full.load(Relaxed) {
             let message = format!("more than {MOST_STEPS} steps: take fewer points");
             return Err(Trouble::asked(message));

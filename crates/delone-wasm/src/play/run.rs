@@ -46,6 +46,7 @@ pub(super) fn record(
     };
     let mut keeper = Keeper::new(name, &input.pslg.points, &brake, listener);
     let run = algorithm.observe(&input, &mut keeper);
+    let run = run.map_err(|error| Trouble::of_drawing(error, drawing));
     let (log, times) = keeper.finish(run)?;
     Ok((Recording::new(about, log), times))
 }

@@ -27,6 +27,8 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     points: Vec<Point>,
+    /// How many edges hang on each vertex.
+    degrees: Vec<u32>,
     /// Smaller end first.
     edges: BTreeSet<[VertexId; 2]>,
     locked: BTreeSet<[VertexId; 2]>,
@@ -66,8 +68,10 @@ pub struct NoSuchStep {
 impl Scene {
     /// Begins with points alone.
     pub fn new<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Self {
+        let points: Vec<_> = points.into_iter().map(Into::into).collect();
         Self {
-            points: points.into_iter().map(Into::into).collect(),
+            degrees: vec![0; points.len()],
+            points,
             ..Self::default()
         }
     }
@@ -215,6 +219,7 @@ impl Scene {
         let is_next = v.index() == self.points.len();
         require(is_next, "its number is not the next that is free")?;
         self.points.push(at);
+        self.degrees.push(0);
         Ok(())
     }
 
@@ -222,23 +227,29 @@ impl Scene {
         let is_last = v.index() + 1 == self.points.len();
         require(is_last, "it is not the last vertex")?;
         require(self.point(v) == Some(at), "it lies elsewhere")?;
+        self.require_bare(v)?;
         self.points.pop();
+        self.degrees.pop();
         Ok(())
     }
 
     fn move_vertex(&mut self, v: VertexId, from: Point, to: Point) -> Result<(), &'static str> {
         require(self.point(v) == Some(from), "it lies elsewhere")?;
-        // Of edges the smaller end comes first, so they must all be looked at.
-        let hangs = self.edges.iter().any(|edge| edge.contains(&v));
-        require(!hangs, "an edge hangs on it")?;
+        self.require_bare(v)?;
         self.points[v.index()] = to;
         Ok(())
+    }
+
+    fn require_bare(&self, v: VertexId) -> Result<(), &'static str> {
+        require(self.degrees[v.index()] == 0, "an edge hangs on it")
     }
 
     fn create_edge(&mut self, edge: [VertexId; 2]) -> Result<(), &'static str> {
         let has_ends = edge.iter().all(|&v| self.point(v).is_some());
         require(has_ends && edge[0] != edge[1], "an end is missing")?;
-        require(self.edges.insert(ascending(edge)), "there is such an edge")
+        require(self.edges.insert(ascending(edge)), "there is such an edge")?;
+        edge.iter().for_each(|v| self.degrees[v.index()] += 1);
+        Ok(())
     }
 
     fn delete_edge(&mut self, [a, b]: [VertexId; 2]) -> Result<(), &'static str> {
@@ -249,7 +260,9 @@ impl Scene {
         require(
             self.edges.remove(&ascending([a, b])),
             "there is no such edge",
-        )
+        )?;
+        [a, b].map(|v| self.degrees[v.index()] -= 1);
+        Ok(())
     }
 
     fn lock(&mut self, edge: [VertexId; 2]) -> Result<(), &'static str> {

@@ -190,6 +190,22 @@ fn a_vertex_moves_only_while_nothing_hangs_on_it() {
     assert_eq!(scene.point(VertexId::new(1)), Some(from));
 }
 
+#[test]
+fn a_vertex_goes_only_while_nothing_hangs_on_it() {
+    let mut scene = Scene::new([(0.0, 0.0), (1.0, 0.0)]);
+    let last = Event::VertexDeleted {
+        vertex: VertexId::new(1),
+        at: Point::new(1.0, 0.0),
+    };
+    let [edge] = [[0, 1]].map(v);
+    scene.apply(Event::EdgeCreated { edge }).expect("two ends");
+    let before = scene.clone();
+    scene.apply(last).expect_err("the edge would have one end");
+    assert!(scene == before);
+    scene.apply(Event::EdgeDeleted { edge }).expect("an edge");
+    scene.apply(last).expect("free");
+}
+
 /// So that a log which is no algorithm's cannot ask for more memory than it has steps.
 #[test]
 fn vertices_come_and_go_in_their_order() {
