@@ -26,7 +26,7 @@ use std::time::Duration;
 const EXAMPLES: &str = "\
 Examples:
   delone theatre                        the algorithms, in your browser
-  delone theatre outline.poly           … on your own points or outlines, which can be meshed there, too
+  delone theatre outline.poly           … on your own outline, which can be meshed there, too
   delone theatre mesh.ele               a mesh, with the .node and .poly beside it
   delone theatre run.json               a run that `delone algorithms run --log run.json` has kept
   delone sample lake | delone theatre - what comes from another program
@@ -101,13 +101,12 @@ impl Theatre {
     }
 }
 
-/// Opens a browser, or says why there is none.
-fn opened(address: &str) -> Option<String> {
+/// Opens a browser, or says that there is none.
+fn opened(address: &str) -> Option<&'static str> {
     let tried = open::that_detached_with_timeout(address, PATIENCE);
-    let error = tried.err()?;
-    Some(format!(
-        "note: no browser was opened ({error}): open the address yourself"
-    ))
+    tried
+        .err()
+        .map(|_| "note: no browser could be opened: open the address yourself")
 }
 
 fn stopped(error: &io::Error) -> Failure {
