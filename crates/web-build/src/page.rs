@@ -18,6 +18,9 @@ const BUDGET: Budget = Budget {
 /// Below `web/`, what the page is not made of.
 const APART: [&str; 4] = ["dist", "node_modules", "tests", "test-results"];
 
+/// What it is made of besides: the guide.
+const GUIDE: [&str; 2] = ["docs/algorithms", "REFERENCES.md"];
+
 /// What keeps the folder in the repository, and its content out: `delone-cli` looks at the folder when it is built.
 const KEEPER: &str = ".gitignore";
 
@@ -26,8 +29,7 @@ pub fn build(options: &Options) -> Result<(), Failure> {
     let web = root().join("web");
     let dist = web.join("dist");
     let start = dist.join("index.html");
-    let sources = below(&web, &APART)?;
-    if !options.builds_all() && is_fresh(&start, sources.iter().map(PathBuf::as_path)) {
+    if !options.builds_all() && is_fresh(&start, sources(&web)?.iter().map(PathBuf::as_path)) {
         println!("page:      up to date");
     } else {
         node::require()?;
@@ -43,6 +45,19 @@ pub fn build(options: &Options) -> Result<(), Failure> {
     BUDGET.weigh(sent.filter(|file| is_code(file)))?;
     println!("written:   {}", dist.display());
     Ok(())
+}
+
+/// Lists what the page is made of.
+fn sources(web: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let mut sources = below(web, &APART)?;
+    for name in GUIDE {
+        let path = root().join(name);
+        if path.is_dir() {
+            sources.extend(below(&path, &[])?);
+        }
+        sources.push(path);
+    }
+    Ok(sources)
 }
 
 /// Tells whether a file is a script or a style.

@@ -107,8 +107,10 @@ impl House {
 
     /// Returns a part of the page.
     fn part(&self, path: &str, takes_gzip: bool) -> Answer<'_> {
-        let path = if path.is_empty() { "index.html" } else { path };
-        let Some(asset) = self.page.iter().find(|asset| asset.path == path) else {
+        let is_folder = path.is_empty() || path.ends_with('/');
+        let start = if is_folder { "index.html" } else { "" };
+        let is_meant = |asset: &&Asset| asset.path.strip_prefix(path) == Some(start);
+        let Some(asset) = self.page.iter().find(is_meant) else {
             return refusal(404, "there is nothing of this name");
         };
         let cache = match asset.is_hashed() {

@@ -12,6 +12,7 @@ pub fn page() -> &'static [Asset] {
     let files = [
         ("index.html", "<!doctype html><title>Delone</title>"),
         ("assets/index-abcd1234.js", &script),
+        ("guide/index.html", "<!doctype html><title>Guide</title>"),
     ];
     let assets = files.map(|(path, content)| Asset {
         path,

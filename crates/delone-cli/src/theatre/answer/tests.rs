@@ -43,6 +43,8 @@ fn the_page_is_fresh_and_its_hashed_parts_are_kept() {
     for (target, cache) in [
         ("/", "no-cache"),
         ("/?lang=de", "no-cache"),
+        ("/guide/", "no-cache"),
+        ("/guide/index.html", "no-cache"),
         ("/index.html", "no-cache"),
         (
             "/assets/index-abcd1234.js",
@@ -130,6 +132,8 @@ fn no_path_leads_out() {
         ("/open/Cargo.toml", 404),
         ("/INDEX.HTML", 404),
         ("/index.html/", 404),
+        ("/guide", 404),
+        ("/guide//", 404),
         ("/%00", 404),
         ("/%ff", 400),
         ("/%", 404),
