@@ -11,18 +11,17 @@ const OLDEST: [u32; 2] = [20, 19];
 /// What npm is called.
 const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 
-/// Requires Node.js, recent enough, and npm.
+/// Requires Node.js, recent enough, and npm, and says what is here.
 ///
 /// # Errors
 /// If something is not here, or too old.
-pub fn require() -> Result<(), Failure> {
+pub fn require() -> Result<String, Failure> {
     let version = said("node")?;
     if !is_recent(&version) {
         return Err(Failure::NoNode(format!("what is here is {version}")));
     }
     let npm = said(NPM)?;
-    println!("node:      {version}, npm {npm}");
-    Ok(())
+    Ok(format!("{version}, npm {npm}"))
 }
 
 /// Asks a program for its version.

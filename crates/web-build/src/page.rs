@@ -32,7 +32,7 @@ pub fn build(options: &Options) -> Result<(), Failure> {
     if !options.builds_all() && is_fresh(&start, sources(&web)?.iter().map(PathBuf::as_path)) {
         println!("page:      up to date");
     } else {
-        node::require()?;
+        println!("node:      {}", node::require()?);
         node::install(&web)?;
         empty(&dist)?;
         node::script(&web, "build")?;
