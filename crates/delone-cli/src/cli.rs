@@ -4,7 +4,8 @@ use crate::exit::{self, Failure};
 use crate::{
     algorithms::Algorithms, check::Check, cluster::Cluster, contour::Contour, convert::Convert,
     cover::Cover, graph::Graph, info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest,
-    race::Race, sample::Sample, triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
+    race::Race, sample::Sample, theatre::Theatre, triangle::Triangle, triangulate::Triangulate,
+    voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -23,6 +24,7 @@ Examples:
   delone check mesh.ele                       is every circle empty? exactly, from the files alone
   delone sample uniform -n 1000000 -o u.npy   a million points to play with
   delone algorithms run sweep --svg sweep.svg   watch a classical algorithm at work, step by step
+  delone theatre                              the algorithms in your browser: play, step, race, mesh
   delone convert mesh.ele mesh.vtu            the same mesh for ParaView
   delone triangle -pq30a0.1 map.poly          for scripts: Triangle's switches, Triangle's files";
 
@@ -58,6 +60,7 @@ enum Command {
     Sample(Sample),
     Algorithms(Algorithms),
     Race(Race),
+    Theatre(Theatre),
     Convert(Convert),
     Triangle(Triangle),
 }
@@ -80,6 +83,7 @@ impl Cli {
             Command::Sample(command) => command.run(self.quiet),
             Command::Algorithms(command) => command.run(self.quiet),
             Command::Race(command) => command.run(self.quiet),
+            Command::Theatre(command) => command.run(self.quiet),
             Command::Convert(command) => command.run(self.quiet),
             Command::Triangle(command) => command.run(self.quiet),
         }

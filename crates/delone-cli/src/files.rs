@@ -13,7 +13,7 @@ use delone_io::{
     PointSet, Relief, ReliefOptions, ReportOptions, Target, WriteOptions,
 };
 use family::Member;
-pub use input::{Input, Reading};
+pub use input::{Input, Reading, head, in_hand};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

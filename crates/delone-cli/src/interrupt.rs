@@ -5,12 +5,14 @@
 //! may block for ever, though. So after a short grace the listener itself removes the temporary files and
 //! ends the process, whatever the other threads are doing.
 //!
+//! Where Ctrl-C is the usual way to end, as of a server, the command says so: then it is no failure.
+//!
 //! Requests to terminate or hang up are heeded in the same way. Signals that were ignored when the
 //! program started, as `nohup` and background jobs of scripts want it, stay ignored.
 
 use crate::exit::Failure;
 use crate::progress;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -19,6 +21,9 @@ const INTERRUPT: u8 = 2;
 
 /// The signal that asked to stop; 0 if none has.
 static REQUESTED: AtomicU8 = AtomicU8::new(0);
+
+/// Whether Ctrl-C is how the program is meant to end.
+static EXPECTED: AtomicBool = AtomicBool::new(false);
 
 /// How long work may take to notice the flag by itself.
 const GRACE: Duration = Duration::from_millis(40);
@@ -60,12 +65,20 @@ pub fn listen() {
     drop(listening);
 }
 
+/// Takes Ctrl-C, from now on, for the usual way to end: with exit code 0.
+pub fn expect() {
+    EXPECTED.store(true, Ordering::SeqCst);
+}
+
 /// Ends the process: by its own way out if it takes that soon.
 fn stop(signal: u8) {
     REQUESTED.store(signal, Ordering::SeqCst);
     sleep(GRACE);
     delone_io::discard_unfinished_files();
     progress::wipe();
+    if signal == INTERRUPT && EXPECTED.load(Ordering::SeqCst) {
+        std::process::exit(0);
+    }
     Failure::Cancelled.report();
     std::process::exit(Failure::Cancelled.code().into());
 }

@@ -30,6 +30,7 @@ mod sizing;
 mod stopwatch;
 mod survey;
 mod task;
+mod theatre;
 mod timing;
 mod triangle;
 mod triangulate;

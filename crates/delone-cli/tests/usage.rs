@@ -214,6 +214,7 @@ fn help_and_version_are_0() {
         "cover",
         "algorithms",
         "race",
+        "theatre",
     ] {
         assert!(folder.run("--help", 0).stdout.contains(command));
         let help = folder.run(&format!("{command} --help"), 0).stdout;
@@ -419,6 +420,7 @@ fn lines_of_help_fit_a_terminal() {
         "algorithms show -h",
         "algorithms run -h",
         "race -h",
+        "theatre -h",
         "sample",
     ] {
         for text in folder.run(line, 0).stdout.lines() {

@@ -1,10 +1,20 @@
 //! The module: compiled, bound to JavaScript, made smaller.
 
-use crate::toolchain::Toolchain;
-use crate::{Failure, root};
+use crate::failure::{Failure, run};
+use crate::options::Options;
+use crate::place::root;
+use crate::stale::is_fresh;
+use crate::toolchain::{self, Toolchain};
+use crate::weight::{Budget, read};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
+
+/// What the module may weigh.
+const BUDGET: Budget = Budget {
+    what: "module",
+    bytes: 1_500_000,
+};
 
 /// The crate, and what Cargo makes of its name.
 const CRATE: &str = "delone-wasm";
@@ -30,8 +40,37 @@ const FEATURES: [&str; 6] = [
 /// not be loaded afterwards.
 const OLDEST: u32 = 116;
 
+/// Builds the module; if the theatre is to be opened, only if it is stale.
+pub fn build(options: &Options) -> Result<(), Failure> {
+    let toolchain = toolchain::find(options.toolchain)?;
+    println!("toolchain: {}", toolchain.describe());
+    let compiled = compile(&toolchain)?;
+    println!("compiled:  {} bytes", read(&compiled)?.len());
+    let out = options.module_folder();
+    let module = module(&out);
+    if !options.builds_all() && is_fresh(&module, [compiled.as_path()]) {
+        println!("module:    up to date");
+    } else {
+        bind(&compiled, &out)?;
+        println!("bound:     {} bytes", read(&module)?.len());
+        match (!options.no_opt).then(|| optimise(&module)) {
+            Some(Ok(())) => println!("wasm-opt:  {} bytes", read(&module)?.len()),
+            Some(Err(why)) => println!("wasm-opt:  not used: {why}"),
+            None => println!("wasm-opt:  not wanted"),
+        }
+    }
+    BUDGET.weigh([module.as_path()])?;
+    println!("written:   {}", out.display());
+    Ok(())
+}
+
+/// Returns where the module is written.
+fn module(out: &Path) -> PathBuf {
+    out.join(format!("{NAME}_bg.wasm"))
+}
+
 /// Compiles the crate and returns where it is.
-pub fn compile(toolchain: &Toolchain) -> Result<PathBuf, Failure> {
+fn compile(toolchain: &Toolchain) -> Result<PathBuf, Failure> {
     let root = root();
     let target = root.join("target");
     let mut cargo = toolchain.cargo_build(&target);
@@ -40,14 +79,10 @@ pub fn compile(toolchain: &Toolchain) -> Result<PathBuf, Failure> {
     Ok(toolchain.output(&target).join(PROFILE).join(FILE))
 }
 
-/// Writes the module with its JavaScript and its types, and returns where the module is.
-pub fn bind(compiled: &Path, out: &Path) -> Result<PathBuf, Failure> {
+/// Writes the module with its JavaScript and its types.
+fn bind(compiled: &Path, out: &Path) -> Result<(), Failure> {
     let refused = |error| Failure::Bindings(format!("{error:#}"));
-    std::fs::create_dir_all(out).map_err(|source| Failure::File {
-        action: "cannot create",
-        path: out.to_owned(),
-        source,
-    })?;
+    std::fs::create_dir_all(out).map_err(Failure::file("cannot create", out))?;
     let mut bindings = Bindgen::new();
     bindings
         .input_path(compiled)
@@ -60,12 +95,11 @@ pub fn bind(compiled: &Path, out: &Path) -> Result<PathBuf, Failure> {
         .web(true)
         .map_err(refused)?
         .generate(out)
-        .map_err(refused)?;
-    Ok(out.join(format!("{NAME}_bg.wasm")))
+        .map_err(refused)
 }
 
 /// Makes the module smaller, or says why not; then it is as it was.
-pub fn optimise(module: &Path) -> Result<(), String> {
+fn optimise(module: &Path) -> Result<(), String> {
     require_recent()?;
     let smaller = module.with_extension("opt");
     let mut command = Command::new("wasm-opt");
@@ -93,16 +127,5 @@ fn require_recent() -> Result<(), String> {
     match numbers.find_map(Result::ok) {
         Some(version) if version >= OLDEST => Ok(()),
         _ => Err(format!("{} is older than {OLDEST}", said.trim())),
-    }
-}
-
-fn run(command: &mut Command, name: &str) -> Result<(), Failure> {
-    let status = command.status().map_err(|source| Failure::Start {
-        program: name.to_owned(),
-        source,
-    })?;
-    match status.success() {
-        true => Ok(()),
-        false => Err(Failure::Program(name.to_owned())),
     }
 }

@@ -1,6 +1,6 @@
 //! Finding a compiler that knows the target.
 
-use crate::Failure;
+use crate::failure::Failure;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -15,22 +15,12 @@ const PATIENCE: Duration = Duration::from_secs(180);
 const DEBIAN: [&str; 3] = ["/usr/bin/rustc", "/usr/bin/cargo", "/usr/bin/wasm-ld-19"];
 
 /// Which toolchain is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Wanted {
+    #[value(name = "auto")]
     Any,
     Usual,
     Debian,
-}
-
-impl Wanted {
-    pub fn named(name: &str) -> Result<Self, Failure> {
-        match name {
-            "auto" => Ok(Self::Any),
-            "usual" => Ok(Self::Usual),
-            "debian" => Ok(Self::Debian),
-            _ => Err(Failure::Usage(format!("no toolchain is called {name}"))),
-        }
-    }
 }
 
 /// A way to build.

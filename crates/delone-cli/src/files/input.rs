@@ -94,7 +94,7 @@ impl Reading {
 }
 
 /// Takes standard input, a pipe or a device into memory; a file stays where it is.
-fn in_hand(source: Source) -> Result<Source, Failure> {
+pub fn in_hand(source: Source) -> Result<Source, Failure> {
     let mut bytes = Vec::new();
     let read = match &source {
         Source::Stdin => io::stdin().lock().read_to_end(&mut bytes),
@@ -119,7 +119,7 @@ fn is_stream(path: &Path) -> bool {
 }
 
 /// Returns the first bytes; none if there are none to be had, which the reader will explain.
-fn head(source: &Source) -> Vec<u8> {
+pub fn head(source: &Source) -> Vec<u8> {
     match source {
         Source::Memory { bytes, .. } => bytes[..bytes.len().min(HEAD as usize)].to_vec(),
         Source::Path(path) if path.is_file() => {
