@@ -1,6 +1,6 @@
 // The stage, or the stages, that the mode has.
 
-import { computed, effect, signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
@@ -8,7 +8,7 @@ import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, recipe } from "../state/drawing";
 import { mesh } from "../state/mesh";
 import { mode } from "../state/mode";
-import { frame } from "../state/play";
+import { frame, run } from "../state/play";
 
 const camera = signal<Camera | null>(null);
 
@@ -23,14 +23,12 @@ const scene = computed<StageScene>(() => {
 /** What `fit` brings into view: all that was drawn. */
 const whole = computed(() => drawing.value?.points ?? emptyScene.points);
 
-// Something else is looked at from its own place; while it is edited the view stays.
-effect(() => {
-  void recipe.value.source;
-  camera.value = null;
-});
+/** What the drawing comes from; while it is only edited the view stays. */
+const source = computed(() => drawing.value && recipe.peek().source);
 
 function ofRun(): StageScene | null {
-  if (!frame.value) return null;
+  // The run before is gone before its last frame is.
+  if (!run.value || !frame.value) return null;
   const { points, edges, locked, triangles } = frame.value;
   return { points, edges, locked, triangles, values: null, hasDots: true };
 }
@@ -42,5 +40,5 @@ function ofMesh(): StageScene | null {
 }
 
 export function Stages() {
-  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} />;
+  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} source={source} />;
 }

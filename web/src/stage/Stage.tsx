@@ -1,16 +1,23 @@
 // The stage: a canvas for the scene, and one above it for what is said about it.
 
-import { type ReadonlySignal, type Signal, useComputed, useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { type ReadonlySignal, type Signal, signal } from "@preact/signals";
+import { useEffect, useId, useMemo, useRef } from "preact/hooks";
 import { language, theme } from "../state/settings";
 import { words } from "../words";
-import { boxOf, type Camera, fit, type Size, zoom } from "./camera";
+import { Corner } from "./Corner";
+import type { Camera } from "./camera";
 import { listen } from "./gestures";
+import { press } from "./keys";
 import { paint } from "./paint";
 import { readPalette } from "./palette";
 import { Pen } from "./pen";
+import { shown } from "./picture";
 import { makeRenderer } from "./renderer";
 import type { StageScene } from "./scene";
+import { isDark, ratio } from "./surroundings";
+import { tool } from "./tool";
+import { View } from "./view";
+import { Zoom } from "./Zoom";
 import "./stage.css";
 
 /** Draws something over the scene; it is drawn again when a signal changes that it reads. */
@@ -23,90 +30,104 @@ interface Props {
   camera: Signal<Camera | null>;
   /** The points that `fit` brings into view. */
   whole: ReadonlySignal<Float64Array>;
+  /** Something else when something else is shown, which is then fitted; the view stays as long as it is the same. If
+   * missing, that is whenever `whole` changes and nobody has moved the view. */
+  source?: ReadonlySignal<unknown>;
   /** What the stage shows, in words, for those who do not see it. */
   description?: ReadonlySignal<string>;
 }
 
-export function Stage({ scene, overlays, camera, whole, description }: Props) {
+export function Stage({ scene, overlays, camera, whole, source, description }: Props) {
   const frame = useRef<HTMLDivElement>(null);
-  const below = useRef<HTMLCanvasElement>(null);
+  const below = useRef<HTMLDivElement>(null);
   const above = useRef<HTMLCanvasElement>(null);
-  const size = useSignal<Size>({ width: 1, height: 1 });
-  const fitted = useComputed(() => fit(boxOf(whole.value), size.value));
-  const view = useComputed(() => camera.value ?? fitted.value);
+  const keys = useId();
+  const view = useMemo(() => new View(camera, whole, source), [camera, whole, source]);
 
-  useEffect(() => {
-    const element = frame.current!;
-    const observer = new ResizeObserver(() => {
-      size.value = { width: element.clientWidth, height: element.clientHeight };
-    });
-    observer.observe(element);
-    // Gestures change the view, whether or not it was the fitted one.
-    const eye = {
-      get value() {
-        return view.value;
-      },
-      set value(next: Camera) {
-        camera.value = next;
-      },
-    } as Signal<Camera>;
-    const deaf = listen(above.current!, eye, size);
-    return () => {
-      observer.disconnect();
-      deaf();
-    };
-  }, [camera, size, view]);
+  useEffect(() => watch(frame.current!, above.current!, view), [view]);
+  useEffect(
+    () =>
+      draw({ frame: frame.current!, below: below.current!, above: above.current!, view, scene, overlays }),
+    [scene, overlays, view],
+  );
 
-  useEffect(() => {
-    const renderer = makeRenderer(below.current!);
-    const context = above.current!.getContext("2d")!;
-    const palette = () => {
-      void theme.value;
-      return readPalette(frame.current!);
-    };
-    const stops = [
-      paint(() => {
-        renderer.show(scene.value);
-        renderer.draw(view.value, size.value, devicePixelRatio, palette());
-      }),
-      paint(() => {
-        const pen = new Pen(context, above.current!, view.value, size.value, devicePixelRatio, palette());
-        for (const overlay of overlays.value) overlay(pen);
-      }),
-    ];
-    return () => {
-      for (const stop of stops) stop();
-      renderer.dispose();
-    };
-  }, [scene, overlays, size, view]);
-
-  const zoomBy = (factor: number) => {
-    const { width, height } = size.value;
-    camera.value = zoom(view.value, size.value, factor, width / 2, height / 2);
-  };
   const say = words.value.stage;
   return (
     <div class="stage" ref={frame} lang={language.value}>
-      <div aria-hidden="true">
-        <canvas ref={below} />
+      <div
+        class="stage-view"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: an application is interactive, by its keys
+        tabIndex={0}
+        role="application"
+        aria-label={description?.value || say.label}
+        aria-describedby={keys}
+        onKeyDown={(event) => press(event, view)}
+      >
+        <div ref={below} />
+        <canvas ref={above} style={{ cursor: tool.value?.cursor }} />
       </div>
-      <canvas ref={above} role="img" aria-label={description?.value || say.label} />
-      <div class="stage-zoom">
-        <button type="button" aria-label={say.zoomIn} onClick={() => zoomBy(1.5)}>
-          +
-        </button>
-        <button type="button" aria-label={say.zoomOut} onClick={() => zoomBy(1 / 1.5)}>
-          −
-        </button>
-        <button
-          type="button"
-          onClick={() => {
-            camera.value = null;
-          }}
-        >
-          {say.fit}
-        </button>
-      </div>
+      <p id={keys} hidden>
+        {say.keys}
+      </p>
+      <Zoom view={view} />
+      <Corner camera={view.now} />
     </div>
   );
+}
+
+/** Follows sizes, sources and gestures until the returned function is called. */
+function watch(frame: HTMLElement, hand: HTMLElement, view: View): () => void {
+  const measure = () => {
+    view.size.value = { width: frame.clientWidth, height: frame.clientHeight };
+  };
+  const observer = new ResizeObserver(measure);
+  observer.observe(frame);
+  measure();
+  const stops = [listen(hand, view), view.follow(), () => observer.disconnect()];
+  return () => {
+    for (const stop of stops) stop();
+  };
+}
+
+interface Parts extends Pick<Props, "scene" | "overlays"> {
+  frame: HTMLElement;
+  below: HTMLElement;
+  above: HTMLCanvasElement;
+  view: View;
+}
+
+/** Draws whenever something changes until the returned function is called. */
+function draw({ frame, below, above, view, scene, overlays }: Parts): () => void {
+  const stale = signal(0);
+  const renderer = makeRenderer(below, () => {
+    stale.value += 1;
+  });
+  const context = above.getContext("2d")!;
+  const palette = () => {
+    void [theme.value, isDark.value];
+    return readPalette(frame);
+  };
+  const drawScene = () => {
+    void stale.value;
+    renderer.show(scene.value);
+    renderer.draw(view.now.value, view.size.value, ratio.value, palette());
+  };
+  const drawOverlays = () => {
+    const pen = new Pen(context, above, view.now.value, view.size.value, ratio.value, palette());
+    for (const overlay of overlays.value) overlay(pen);
+  };
+  const mine = {
+    frame,
+    draw: () => {
+      drawScene();
+      drawOverlays();
+    },
+  };
+  shown.add(mine);
+  const stops = [paint(drawScene), paint(drawOverlays)];
+  return () => {
+    for (const stop of stops) stop();
+    shown.delete(mine);
+    renderer.dispose();
+  };
 }

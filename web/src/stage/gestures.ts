@@ -1,78 +1,143 @@
-// Pointers, wheels and keys on the stage: first the tool in hand, then the view.
+// Pointers and wheels on the stage: first the tool in hand, then the view.
 
-import type { Signal } from "@preact/signals";
-import { type Camera, pan, type Size, toPlane, zoom } from "./camera";
+import { hold, toPlane, zoom } from "./camera";
 import { type Place, pointer, type Tool, tool } from "./tool";
+import type { View } from "./view";
 
-/** How far a turn of the wheel zooms. */
+/** How far a turn of the wheel zooms, and a double click. */
 const WHEEL = 0.0015;
+const DOUBLE = 2;
+
+interface Pixel {
+  x: number;
+  y: number;
+}
 
 /** Listens on an element until the returned function is called. */
-export function listen(element: HTMLElement, camera: Signal<Camera>, size: Signal<Size>): () => void {
-  const held = new Map<number, { x: number; y: number }>();
-  let busy: Tool | null = null;
+export function listen(element: HTMLElement, view: View): () => void {
+  const gestures = new Gestures(element, view);
+  const abort = new AbortController();
+  const options = { signal: abort.signal };
+  element.addEventListener("pointerdown", (event) => gestures.down(event), options);
+  element.addEventListener("pointermove", (event) => gestures.move(event), options);
+  element.addEventListener("pointerup", (event) => gestures.up(event), options);
+  element.addEventListener("pointercancel", (event) => gestures.lost(event), options);
+  element.addEventListener("pointerleave", () => gestures.leave(), options);
+  element.addEventListener("dblclick", (event) => gestures.double(event), options);
+  element.addEventListener("mousedown", letGo, options);
+  element.addEventListener("wheel", (event) => gestures.wheel(event), { ...options, passive: false });
+  return () => abort.abort();
+}
 
-  const place = (event: PointerEvent): Place => {
-    const [x, y] = toPlane(camera.value, size.value, event.offsetX, event.offsetY);
-    return { x, y, pixel: 1 / camera.value.scale, event };
-  };
-  const down = (event: PointerEvent) => {
-    element.setPointerCapture(event.pointerId);
-    held.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
-    if (held.size > 1) {
-      busy?.cancel?.();
-      busy = null;
-    } else if (event.button === 0 && tool.value?.down(place(event))) busy = tool.value;
-  };
-  const move = (event: PointerEvent) => {
-    const { x, y, pixel } = place(event);
-    pointer.value = { x, y, pixel };
-    const before = held.get(event.pointerId);
-    if (busy) busy.move?.(place(event));
-    else if (before) drag(event, before);
-  };
-  const drag = (event: PointerEvent, before: { x: number; y: number }) => {
-    const [dx, dy] = [event.offsetX - before.x, event.offsetY - before.y];
-    const other = [...held].find(([id]) => id !== event.pointerId)?.[1];
-    held.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
-    let next = pan(camera.value, dx / held.size, dy / held.size);
-    if (other) {
-      const [was, is] = [
-        Math.hypot(before.x - other.x, before.y - other.y),
-        Math.hypot(event.offsetX - other.x, event.offsetY - other.y),
-      ];
-      const [mx, my] = [(event.offsetX + other.x) / 2, (event.offsetY + other.y) / 2];
-      if (was > 0 && is > 0) next = zoom(next, size.value, is / was, mx, my);
+/** The mouse takes the focus from where it is, but keys go on to mean what they mean on the page: Tab is the way here. */
+function letGo(event: MouseEvent): void {
+  event.preventDefault();
+  const { activeElement } = document;
+  if (activeElement instanceof HTMLElement && !activeElement.contains(event.currentTarget as Node)) {
+    activeElement.blur();
+  }
+}
+
+class Gestures {
+  private readonly held = new Map<number, Pixel>();
+  /** The tool that has the gesture. */
+  private busy: Tool | null = null;
+  /** The place of the plane that a single pointer holds. */
+  private grabbed: [number, number] | null = null;
+  /** Whether a tool took the last click; then two of them are no double click. */
+  private isTaken = false;
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly view: View,
+  ) {}
+
+  down(event: PointerEvent): void {
+    this.element.setPointerCapture(event.pointerId);
+    this.held.set(event.pointerId, pixelOf(event));
+    this.grabbed = null;
+    if (this.held.size > 1) this.cancel();
+    else if (event.button === 0) {
+      this.isTaken = tool.value?.down(this.place(event)) ?? false;
+      if (this.isTaken) this.busy = tool.value;
     }
-    camera.value = next;
-  };
-  const up = (event: PointerEvent) => {
-    held.delete(event.pointerId);
-    busy?.up?.(place(event));
-    busy = null;
-  };
-  const lost = (event: PointerEvent) => {
-    held.delete(event.pointerId);
-    busy?.cancel?.();
-    busy = null;
-  };
-  const leave = () => {
+  }
+
+  move(event: PointerEvent): void {
+    const place = this.place(event);
+    pointer.value = { x: place.x, y: place.y, pixel: place.pixel };
+    const before = this.held.get(event.pointerId);
+    if (this.busy) this.busy.move?.(place);
+    else if (before) this.drag(event, before);
+  }
+
+  up(event: PointerEvent): void {
+    this.release(event);
+    this.busy?.up?.(this.place(event));
+    this.busy = null;
+  }
+
+  lost(event: PointerEvent): void {
+    this.release(event);
+    this.cancel();
+  }
+
+  leave(): void {
     pointer.value = null;
-  };
-  const wheel = (event: WheelEvent) => {
+  }
+
+  double(event: MouseEvent): void {
+    if (!this.isTaken) this.view.zoomBy(event.shiftKey ? 1 / DOUBLE : DOUBLE, [event.offsetX, event.offsetY]);
+  }
+
+  wheel(event: WheelEvent): void {
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
     const factor = Math.exp(-WHEEL * lines * event.deltaY);
-    camera.value = zoom(camera.value, size.value, factor, event.offsetX, event.offsetY);
-  };
+    const { now, size } = this.view;
+    this.view.set(zoom(now.peek(), size.peek(), factor, event.offsetX, event.offsetY));
+  }
 
-  const abort = new AbortController();
-  const options = { signal: abort.signal };
-  element.addEventListener("pointerdown", down, options);
-  element.addEventListener("pointermove", move, options);
-  element.addEventListener("pointerup", up, options);
-  element.addEventListener("pointercancel", lost, options);
-  element.addEventListener("pointerleave", leave, options);
-  element.addEventListener("wheel", wheel, { ...options, passive: false });
-  return () => abort.abort();
+  private place(event: PointerEvent): Place {
+    const camera = this.view.now.peek();
+    const [x, y] = toPlane(camera, this.view.size.peek(), event.offsetX, event.offsetY);
+    return { x, y, pixel: 1 / camera.scale, event };
+  }
+
+  private drag(event: PointerEvent, before: Pixel): void {
+    const [camera, size] = [this.view.now.peek(), this.view.size.peek()];
+    const at = pixelOf(event);
+    this.held.set(event.pointerId, at);
+    const other = [...this.held].find(([id]) => id !== event.pointerId)?.[1];
+    if (other) this.pinch(before, at, other);
+    else {
+      // Not step by step: that would add up what each step is rounded by.
+      this.grabbed ??= toPlane(camera, size, before.x, before.y);
+      this.view.set(hold(camera, size, this.grabbed, at.x, at.y));
+    }
+  }
+
+  /** Two fingers: the place between them stays between them. */
+  private pinch(before: Pixel, at: Pixel, other: Pixel): void {
+    const [camera, size] = [this.view.now.peek(), this.view.size.peek()];
+    const [was, is] = [gap(before, other), gap(at, other)];
+    const [middle, next] = [between(before, other), between(at, other)];
+    const place = toPlane(camera, size, middle.x, middle.y);
+    const moved = hold(camera, size, place, next.x, next.y);
+    this.view.set(was > 0 && is > 0 ? zoom(moved, size, is / was, next.x, next.y) : moved);
+  }
+
+  private release(event: PointerEvent): void {
+    this.held.delete(event.pointerId);
+    this.grabbed = null;
+  }
+
+  private cancel(): void {
+    this.busy?.cancel?.();
+    this.busy = null;
+  }
 }
+
+const pixelOf = (event: PointerEvent): Pixel => ({ x: event.offsetX, y: event.offsetY });
+const gap = (a: Pixel, b: Pixel): number => Math.hypot(a.x - b.x, a.y - b.y);
+const between = (a: Pixel, b: Pixel): Pixel => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });

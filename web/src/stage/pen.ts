@@ -1,7 +1,10 @@
-// A pen that draws places of the plane; widths and sizes are CSS pixels.
+// A pen that draws places of the plane; widths and sizes are CSS pixels. Canvases count in 32 bits: what reaches far
+// beyond the view is cut off before they round it.
 
 import type { Coordinates } from "../engine/protocol";
-import { type Camera, type Size, toPlane, toScreen } from "./camera";
+import { arc } from "./arc";
+import { type Box, type Camera, type Size, toPlane, toScreen } from "./camera";
+import { clipLine, clipPolygon, type Spot } from "./clip";
 import type { Palette } from "./palette";
 
 export interface Look {
@@ -11,6 +14,12 @@ export interface Look {
   /** Lengths of dashes and gaps. */
   dash?: number[];
 }
+
+/** Beyond so many pixels a canvas would round too much. */
+const FAR = 2 ** 15;
+
+/** How far around the view things are still drawn, in pixels: more than any line is wide. */
+const AROUND = 64;
 
 export class Pen {
   constructor(
@@ -45,37 +54,48 @@ export class Pen {
 
   /** Draws the polygon through vertices; with two, the edge between them. */
   polygon(points: Coordinates, vertices: ArrayLike<number>, look: Look): void {
-    const { context } = this;
-    context.beginPath();
+    const spots: Spot[] = [];
     for (let k = 0; k < vertices.length; k++) {
       const v = 2 * vertices[k];
-      context.lineTo(...this.at(points[v], points[v + 1]));
+      spots.push(this.at(points[v], points[v + 1]));
     }
-    if (vertices.length > 2) context.closePath();
-    this.paint(look);
+    if (vertices.length > 2) this.closed(spots, look);
+    else this.open(spots, look);
   }
 
   /** Draws a line through places. */
   path(places: readonly (readonly [number, number])[], look: Look): void {
-    this.context.beginPath();
-    for (const [x, y] of places) this.context.lineTo(...this.at(x, y));
-    this.paint(look);
+    this.open(
+      places.map(([x, y]) => this.at(x, y)),
+      look,
+    );
   }
 
   circle(x: number, y: number, radius: number, look: Look): void {
-    this.context.beginPath();
-    this.context.arc(...this.at(x, y), radius * this.camera.scale, 0, 2 * Math.PI);
-    this.paint(look);
+    const [px, py] = this.at(x, y);
+    const size = radius * this.camera.scale;
+    if (Math.max(size, Math.abs(px), Math.abs(py)) < FAR) {
+      this.context.beginPath();
+      this.context.arc(px, py, size, 0, 2 * Math.PI);
+      this.paint(look);
+      return;
+    }
+    const { rim, inside } = arc([px, py], size, this.around);
+    if (look.fill) this.closed([...rim, ...inside], { fill: look.fill });
+    this.open(rim, { ...look, fill: "" });
   }
 
   dot(x: number, y: number, look: Look & { size: number }): void {
+    const [px, py] = this.at(x, y);
+    if (Math.max(Math.abs(px), Math.abs(py)) > FAR) return;
     this.context.beginPath();
-    this.context.arc(...this.at(x, y), look.size, 0, 2 * Math.PI);
+    this.context.arc(px, py, look.size, 0, 2 * Math.PI);
     this.paint(look);
   }
 
   label(x: number, y: number, text: string, colour: string): void {
     const [px, py] = this.at(x, y);
+    if (Math.max(Math.abs(px), Math.abs(py)) > FAR) return;
     this.context.font = "12px system-ui, sans-serif";
     this.context.lineWidth = 3;
     this.context.setLineDash([]);
@@ -83,6 +103,39 @@ export class Pen {
     this.context.strokeText(text, px + 6, py - 6);
     this.context.fillStyle = colour;
     this.context.fillText(text, px + 6, py - 6);
+  }
+
+  private get around(): Box {
+    const { width, height } = this.size;
+    return { low: [-AROUND, -AROUND], high: [width + AROUND, height + AROUND] };
+  }
+
+  private closed(spots: readonly Spot[], look: Look): void {
+    this.context.beginPath();
+    for (const [px, py] of spots.some(isFar) ? clipPolygon(spots, this.around) : spots) {
+      this.context.lineTo(px, py);
+    }
+    this.context.closePath();
+    this.paint(look);
+  }
+
+  private open(spots: readonly Spot[], look: Look): void {
+    this.context.beginPath();
+    if (spots.some(isFar)) this.pieces(spots);
+    else for (const [px, py] of spots) this.context.lineTo(px, py);
+    this.paint(look);
+  }
+
+  /** Adds what is near of each line; those that go on without a gap stay joined. */
+  private pieces(spots: readonly Spot[]): void {
+    let last: Spot | undefined;
+    for (let k = 1; k < spots.length; k++) {
+      const piece = clipLine(spots[k - 1], spots[k], this.around);
+      if (!piece) continue;
+      if (piece[0] !== last) this.context.moveTo(...piece[0]);
+      this.context.lineTo(...piece[1]);
+      last = piece[1];
+    }
   }
 
   private paint({ fill, stroke, width = 1, dash = [] }: Look): void {
@@ -98,3 +151,5 @@ export class Pen {
     }
   }
 }
+
+const isFar = ([px, py]: Spot): boolean => !(Math.abs(px) < FAR && Math.abs(py) < FAR);

@@ -12,6 +12,8 @@ export interface StageScene {
   values: Float32Array | null;
   /** Whether points are drawn as dots. */
   hasDots: boolean;
+  /** The first point that is drawn as a dot; usually 0. */
+  dotsFrom?: number;
 }
 
 const none = new Uint32Array();
