@@ -116,8 +116,8 @@ export function zoom(
   const scale = zoomed(camera, factor);
   const [dx, dy] = [px - width / 2, py - height / 2];
   return {
-    x: bounded(camera.x + (dx / camera.scale - dx / scale)),
-    y: bounded(camera.y - (dy / camera.scale - dy / scale)),
+    x: bounded(camera.x + (bounded(dx / camera.scale) - bounded(dx / scale))),
+    y: bounded(camera.y - (bounded(dy / camera.scale) - bounded(dy / scale))),
     scale,
   };
 }

@@ -1,6 +1,5 @@
 // The way from one view to another: short, and the eye can follow.
 
-import { wantsLessMotion } from "../state/settings";
 import type { Camera, Size } from "./camera";
 
 /** Milliseconds that a flight takes. */
@@ -32,12 +31,8 @@ export function between(from: Camera, to: Camera, part: number): Camera {
   };
 }
 
-/** Shows the views on the way, and null at the end; at once if the system wants less motion. Returns how to stop. */
-export function fly(from: Camera, to: Camera, size: Size, show: (camera: Camera | null) => void): () => void {
-  if (wantsLessMotion() || !canFollow(from, to, size)) {
-    show(null);
-    return () => {};
-  }
+/** Shows the views on the way, and null at the end. Returns how to stop. */
+export function fly(from: Camera, to: Camera, show: (camera: Camera | null) => void): () => void {
   const since = performance.now();
   let request = 0;
   const step = () => {

@@ -12,7 +12,8 @@ export function scale(value: number): string {
 /** Returns the colour of a value as three numbers from 0 to 255. */
 export function shade(value: number): Rgb {
   const t = Math.max(0, Math.min(value || 0, 1));
-  return fromOklab(0.34 + 0.56 * t, 0.01 - 0.09 * Math.sin(Math.PI * t ** 0.8), -0.1 + 0.26 * t);
+  const a = 0.01 - 0.035 * t - 0.07 * Math.sin(Math.PI * t ** 0.8);
+  return fromOklab(0.34 + 0.55 * t, a, 0.255 * t - 0.105);
 }
 
 /** Returns the colours of `count` even values, four bytes each. */

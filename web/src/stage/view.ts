@@ -1,8 +1,17 @@
 // What a stage looks at: the camera that somebody has moved, or all there is, or what lies on the way there.
 
-import { computed, effect, type ReadonlySignal, type Signal, signal, untracked } from "@preact/signals";
+import {
+  batch,
+  computed,
+  effect,
+  type ReadonlySignal,
+  type Signal,
+  signal,
+  untracked,
+} from "@preact/signals";
+import { wantsLessMotion } from "../state/settings";
 import { type Box, boxOf, type Camera, fit, type Size, zoom } from "./camera";
-import { fly } from "./flight";
+import { canFollow, fly } from "./flight";
 
 export class View {
   readonly size = signal<Size>({ width: 1, height: 1 });
@@ -46,15 +55,19 @@ export class View {
     this.camera.value = camera;
   }
 
-  /** Looks there, on a way that the eye can follow; null: at all there is. */
+  /** Looks there, on a way that the eye can follow if there is one and it may; null: at all there is. */
   glide(to: Camera | null): void {
     const from = this.now.peek();
     this.stop();
-    // The flight hides the camera, which is at its goal at once.
-    this.flight.value = from;
-    if (!to) this.home.value = boxOf(this.whole.peek());
-    this.camera.value = to;
-    this.stop = fly(from, this.goal, this.size.peek(), (camera) => {
+    batch(() => {
+      if (!to) this.home.value = boxOf(this.whole.peek());
+      this.camera.value = to;
+      // The flight hides the camera, which is at its goal at once.
+      const isShown = !wantsLessMotion() && canFollow(from, this.goal, this.size.peek());
+      this.flight.value = isShown ? from : null;
+    });
+    if (!this.flight.peek()) return;
+    this.stop = fly(from, this.goal, (camera) => {
       this.flight.value = camera;
     });
   }
