@@ -3,16 +3,23 @@
 import { boxOf, middleOf } from "./camera";
 import type { StageScene } from "./scene";
 
-/** Edges below the first length, in CSS pixels, are not seen; from the second on they are seen fully. */
-export const EDGE_FADE = [1.5, 7] as const;
+/** In a crowd, edges below the first length, in CSS pixels, are not seen; from the second on they are seen fully. */
+export const EDGE_FADE = [2, 10] as const;
+
+/** Edges are a crowd if they are as long as the first on average, and none from the second on. */
+const CROWD = [8, 24] as const;
 
 /** The widths of lines and the radius of dots, in CSS pixels. */
 export const EDGE_WIDTH = 1;
 export const LOCKED_WIDTH = 2.5;
 export const DOT_RADIUS = 2.5;
 
-/** Returns how well an edge of a length in CSS pixels is seen, from 0 to 1. */
-export const edgeFade = (length: number): number => smoothstep(...EDGE_FADE, length);
+/** Returns how well any edge is seen, from 0 to 1, where edges have a length in CSS pixels on average. */
+export const leastStrength = (mean: number): number => smoothstep(...CROWD, mean);
+
+/** Returns how well an edge of a length in CSS pixels is seen, from 0 to 1, where none is seen less than `least`. */
+export const edgeStrength = (length: number, least: number): number =>
+  least + (1 - least) * smoothstep(...EDGE_FADE, length);
 
 /** How a dot is drawn. */
 export interface Dots {

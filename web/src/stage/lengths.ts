@@ -9,6 +9,8 @@ export interface Sorted {
   edges: Indices;
   /** How many edges the classes up to each one have. */
   until: Uint32Array;
+  /** How long they are on average, in units. */
+  mean: number;
 }
 
 const TOP = 3;
@@ -18,8 +20,12 @@ const CLASSES = 64;
 export function sortEdges(scene: StageScene, anchor: Anchor): { ordinary: Sorted; locked: Sorted } {
   const { points, edges, locked } = scene;
   const classes = new Uint8Array(edges.length / 2);
+  const sums = [0, 0];
   for (let e = 0; e < classes.length; e++) {
-    classes[e] = classOf(points, edges[2 * e], edges[2 * e + 1], anchor) + (locked?.[e] ? CLASSES : 0);
+    const length = lengthOf(points, edges[2 * e], edges[2 * e + 1], anchor);
+    const side = locked?.[e] ? 1 : 0;
+    classes[e] = classOf(length) + CLASSES * side;
+    sums[side] += length;
   }
   const starts = countUp(classes);
   const sorted = new Uint32Array(edges.length);
@@ -31,8 +37,16 @@ export function sortEdges(scene: StageScene, anchor: Anchor): { ordinary: Sorted
   }
   const split = starts[CLASSES];
   return {
-    ordinary: { edges: sorted.subarray(0, 2 * split), until: next.slice(0, CLASSES) },
-    locked: { edges: sorted.subarray(2 * split), until: next.slice(CLASSES).map((end) => end - split) },
+    ordinary: {
+      edges: sorted.subarray(0, 2 * split),
+      until: next.slice(0, CLASSES),
+      mean: sums[0] / Math.max(1, split),
+    },
+    locked: {
+      edges: sorted.subarray(2 * split),
+      until: next.slice(CLASSES).map((end) => end - split),
+      mean: sums[1] / Math.max(1, classes.length - split),
+    },
   };
 }
 
@@ -42,10 +56,14 @@ export function longerThan({ until }: Pick<Sorted, "until">, length: number): nu
   return last < 0 ? 0 : until[Math.min(last, CLASSES - 1)];
 }
 
-function classOf(points: Coordinates, a: number, b: number, { unit }: Anchor): number {
+function lengthOf(points: Coordinates, a: number, b: number, { unit }: Anchor): number {
   const x = relative(points[2 * a], points[2 * b], unit);
   const y = relative(points[2 * a + 1], points[2 * b + 1], unit);
-  const power = Math.floor(Math.log2(x * x + y * y) / 2) + 1;
+  return Math.sqrt(x * x + y * y);
+}
+
+function classOf(length: number): number {
+  const power = Math.floor(Math.log2(length)) + 1;
   return Math.max(0, Math.min(TOP - power, CLASSES - 1));
 }
 

@@ -2,7 +2,7 @@
 
 import { anchorOf, isFine, relativeCamera } from "./anchor";
 import { boxOf, type Camera, type Size, toScreen } from "./camera";
-import { dotsFor, EDGE_WIDTH, edgeFade, LOCKED_WIDTH, spacingOf } from "./density";
+import { dotsFor, EDGE_WIDTH, edgeStrength, LOCKED_WIDTH, leastStrength, spacingOf } from "./density";
 import { near, windowOf } from "./near";
 import type { Palette } from "./palette";
 import { Pen } from "./pen";
@@ -112,6 +112,7 @@ function trace(
 
 /** Edges of the same strength are one path. */
 function edges({ context, palette, size }: Pen, scene: StageScene, places: Float64Array): void {
+  const least = leastStrength(meanLength(scene.edges, places));
   const paths = Array.from({ length: STRENGTHS + 2 }, () => new Path2D());
   for (let e = 0; e < scene.edges.length; e += 2) {
     const [a, b] = [2 * scene.edges[e], 2 * scene.edges[e + 1]];
@@ -121,7 +122,7 @@ function edges({ context, palette, size }: Pen, scene: StageScene, places: Float
     const isLocked = scene.locked?.[e / 2] === 1;
     const strength = isLocked
       ? STRENGTHS + 1
-      : Math.round(STRENGTHS * edgeFade(Math.hypot(bx - ax, by - ay)));
+      : Math.round(STRENGTHS * edgeStrength(Math.hypot(bx - ax, by - ay), least));
     paths[strength].moveTo(ax, ay);
     paths[strength].lineTo(bx, by);
   }
@@ -135,6 +136,15 @@ function edges({ context, palette, size }: Pen, scene: StageScene, places: Float
   context.strokeStyle = palette.locked;
   context.lineWidth = LOCKED_WIDTH;
   context.stroke(paths[STRENGTHS + 1]);
+}
+
+function meanLength(edges: Uint32Array, places: Float64Array): number {
+  let sum = 0;
+  for (let e = 0; e < edges.length; e += 2) {
+    const [a, b] = [2 * edges[e], 2 * edges[e + 1]];
+    sum += Math.hypot(places[b] - places[a], places[b + 1] - places[a + 1]);
+  }
+  return (2 * sum) / Math.max(2, edges.length);
 }
 
 function dots({ context, camera, palette, size }: Pen, scene: StageScene, places: Float64Array): void {

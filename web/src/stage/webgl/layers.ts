@@ -3,7 +3,7 @@
 import { relativeCamera } from "../anchor";
 import type { Camera, Size } from "../camera";
 import { colourOf } from "../colour";
-import { DOT_RADIUS, dotsFor, EDGE_FADE, EDGE_WIDTH, LOCKED_WIDTH } from "../density";
+import { DOT_RADIUS, dotsFor, EDGE_FADE, EDGE_WIDTH, LOCKED_WIDTH, leastStrength } from "../density";
 import { longerThan } from "../lengths";
 import type { Palette } from "../palette";
 import { ramp } from "../scale";
@@ -80,11 +80,12 @@ export class Layers {
   ): void {
     const { gl } = this;
     if (!edges) return;
-    const shortest = fades ? EDGE_FADE[0] : 0;
+    const least = fades ? leastStrength(edges.mean * eye.scale) : 1;
+    const shortest = least > 0 ? 0 : EDGE_FADE[0];
     const count = longerThan(edges, shortest / eye.scale);
     if (count === 0) return;
     const halfWidth = (width * ratio) / 2;
-    this.edge.use({ ...view, ends: edges.table.texture, colour: colourOf(colour), halfWidth, ratio, fades });
+    this.edge.use({ ...view, ends: edges.table.texture, colour: colourOf(colour), halfWidth, ratio, least });
     gl.drawArrays(gl.TRIANGLES, 0, 6 * count);
   }
 

@@ -61,7 +61,7 @@ export const edgeVertex = `${view}
 uniform usampler2D ends;
 uniform float halfWidth;
 uniform float ratio;
-uniform bool fades;
+uniform float least;
 out float across;
 flat out float strength;
 
@@ -73,7 +73,7 @@ void main() {
   vec2 from = pixel(pair.x);
   vec2 to = pixel(pair.y);
   float far = distance(from, to);
-  strength = fades ? smoothstep(${EDGE_FADE.map((length) => length.toFixed(2)).join(", ")}, far / ratio) : 1.0;
+  strength = mix(least, 1.0, smoothstep(${EDGE_FADE.map((length) => length.toFixed(2)).join(", ")}, far / ratio));
   vec2 along = far > 0.0 ? (to - from) / far : vec2(1.0, 0.0);
   across = side * (halfWidth + 0.5);
   vec2 at = (isLast ? to + halfWidth * along : from - halfWidth * along) + across * vec2(-along.y, along.x);

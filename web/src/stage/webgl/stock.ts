@@ -8,8 +8,8 @@ import type { StageScene } from "../scene";
 import type { Gl } from "./program";
 import { Table } from "./table";
 
-/** The ends of sorted edges in a table, and how many each class of lengths has. */
-export interface Edges extends Pick<Sorted, "until"> {
+/** The ends of sorted edges in a table, and what their lengths are. */
+export interface Edges extends Pick<Sorted, "until" | "mean"> {
   table: Table;
 }
 
@@ -67,7 +67,7 @@ export class Stock {
 
   private replaceEdges(before: Edges | null, sorted: Sorted): Edges | null {
     const table = this.replace(before?.table ?? null, sorted.edges, 2);
-    return table && { until: sorted.until, table };
+    return table && { until: sorted.until, mean: sorted.mean, table };
   }
 
   private replace(
