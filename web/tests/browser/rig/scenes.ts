@@ -2,14 +2,14 @@
 
 import type { StageScene } from "../../../src/stage/scene";
 
-/** The middle of the UTM scene, and how far the next number is from its northing. */
-export const MIDDLE = [500_050, 5_400_040] as const;
+/** A point of the UTM scene, not in its middle, where numbers of 32 bits are as good as any; and how far the next number is from its northing. */
+export const PLACE = [500_050, 5_400_040] as const;
 export const GAP = 2 ** -30;
 
-/** What a surveyor has: large numbers. In the middle are two points that are 64 numbers apart. */
+/** What a surveyor has: large numbers. Two points are 64 numbers apart. */
 function utm(): StageScene {
-  const [x, y] = MIDDLE;
-  const corners = [x - 50, y - 40, x + 50, y - 40, x + 50, y + 40, x - 50, y + 40];
+  const [x, y] = PLACE;
+  const corners = [x - 20, y - 40, x + 80, y - 40, x + 80, y + 30, x - 20, y + 30];
   return {
     points: Float64Array.of(...corners, x, y, x + 64 * GAP, y),
     edges: Uint32Array.of(0, 4, 1, 4, 2, 5, 3, 4, 4, 5),
