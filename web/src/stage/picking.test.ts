@@ -140,7 +140,7 @@ test("a picker lasts as long as its lists", () => {
   expect(pickerOf(scene)).not.toBe(pickerOf({ ...scene, edges: scene.edges.slice() }));
 });
 
-test("a million points in one place, and one elsewhere, are no trouble", () => {
+test("many points in one place, and one elsewhere, are no trouble", () => {
   const points = new Float64Array(200_000).fill(1);
   points[199_998] = 5;
   const picker = new Picker({ ...grid(2, 1, 0, false), points });
