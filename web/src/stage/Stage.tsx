@@ -1,9 +1,10 @@
 // The stage: a canvas for the scene, and one above it for what is said about it.
 
-import { type ReadonlySignal, type Signal, useComputed, useSignal } from "@preact/signals";
+import { type ReadonlySignal, type Signal, useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { language, theme } from "../state/settings";
 import { words } from "../words";
+import { attention } from "./attention";
 import { boxOf, type Camera, fit, type Size, zoom } from "./camera";
 import { listen } from "./gestures";
 import { paint } from "./paint";
@@ -11,6 +12,7 @@ import { readPalette } from "./palette";
 import { Pen } from "./pen";
 import { makeRenderer } from "./renderer";
 import type { StageScene } from "./scene";
+import { tool } from "./tool";
 import "./stage.css";
 
 /** Draws something over the scene; it is drawn again when a signal changes that it reads. */
@@ -80,6 +82,8 @@ export function Stage({ scene, overlays, camera, whole, description }: Props) {
     };
   }, [scene, overlays, size, view]);
 
+  useSignalEffect(() => attend(camera, size.peek()));
+
   const zoomBy = (factor: number) => {
     const { width, height } = size.value;
     camera.value = zoom(view.value, size.value, factor, width / 2, height / 2);
@@ -90,7 +94,12 @@ export function Stage({ scene, overlays, camera, whole, description }: Props) {
       <div aria-hidden="true">
         <canvas ref={below} />
       </div>
-      <canvas ref={above} role="img" aria-label={description?.value || say.label} />
+      <canvas
+        ref={above}
+        style={{ cursor: tool.value?.cursor ?? "grab" }}
+        role="img"
+        aria-label={description?.value || say.label}
+      />
       <div class="stage-zoom">
         <button type="button" aria-label={say.zoomIn} onClick={() => zoomBy(1.5)}>
           +
@@ -109,4 +118,11 @@ export function Stage({ scene, overlays, camera, whole, description }: Props) {
       </div>
     </div>
   );
+}
+
+/** Looks where somebody asks to look. */
+function attend(camera: Signal<Camera | null>, size: Size): void {
+  if (!attention.value) return;
+  camera.value = fit(attention.value, size);
+  attention.value = null;
 }

@@ -4,6 +4,9 @@ import type { Signal } from "@preact/signals";
 import { type Camera, pan, type Size, toPlane, zoom } from "./camera";
 import { type Place, pointer, type Tool, tool } from "./tool";
 
+/** How far, in pixels, a hand trembles while it clicks. */
+const TREMBLE = 4;
+
 /** How far a turn of the wheel zooms. */
 const WHEEL = 0.0015;
 
@@ -11,6 +14,7 @@ const WHEEL = 0.0015;
 export function listen(element: HTMLElement, camera: Signal<Camera>, size: Signal<Size>): () => void {
   const held = new Map<number, { x: number; y: number }>();
   let busy: Tool | null = null;
+  let clicked: { x: number; y: number } | null = null;
 
   const place = (event: PointerEvent): Place => {
     const [x, y] = toPlane(camera.value, size.value, event.offsetX, event.offsetY);
@@ -21,14 +25,21 @@ export function listen(element: HTMLElement, camera: Signal<Camera>, size: Signa
     held.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     if (held.size > 1) {
       busy?.cancel?.();
-      busy = null;
-    } else if (event.button === 0 && tool.value?.down(place(event))) busy = tool.value;
+      [busy, clicked] = [null, null];
+    } else if (event.button === 0 && tool.value) {
+      // While somebody draws, the view is no longer fitted to what is drawn.
+      camera.value = { ...camera.value };
+      if (tool.value.down(place(event))) busy = tool.value;
+      else clicked = { x: event.offsetX, y: event.offsetY };
+    }
   };
   const move = (event: PointerEvent) => {
     const { x, y, pixel } = place(event);
     pointer.value = { x, y, pixel };
     const before = held.get(event.pointerId);
+    if (clicked && Math.hypot(event.offsetX - clicked.x, event.offsetY - clicked.y) > TREMBLE) clicked = null;
     if (busy) busy.move?.(place(event));
+    else if (clicked) return;
     else if (before) drag(event, before);
   };
   const drag = (event: PointerEvent, before: { x: number; y: number }) => {
@@ -49,12 +60,13 @@ export function listen(element: HTMLElement, camera: Signal<Camera>, size: Signa
   const up = (event: PointerEvent) => {
     held.delete(event.pointerId);
     busy?.up?.(place(event));
-    busy = null;
+    if (clicked) tool.value?.click?.(place(event));
+    [busy, clicked] = [null, null];
   };
   const lost = (event: PointerEvent) => {
     held.delete(event.pointerId);
     busy?.cancel?.();
-    busy = null;
+    [busy, clicked] = [null, null];
   };
   const leave = () => {
     pointer.value = null;

@@ -16,6 +16,8 @@ export interface Tool {
   readonly cursor: string;
   /** A pointer goes down; returns whether the gesture is the tool's. */
   down(place: Place): boolean;
+  /** A pointer went down, was not wanted, and comes up where it went down. */
+  click?(place: Place): void;
   move?(place: Place): void;
   up?(place: Place): void;
   /** The gesture is taken away. */
