@@ -32,7 +32,7 @@ export function Toolbar() {
   const about = drawing.value?.about;
   const isEmpty = !about || about.points + about.segments + about.holes === 0;
   return (
-    <div class="tools" role="toolbar" aria-label={say.tools.label}>
+    <fieldset class="tools" aria-label={say.tools.label}>
       {toolNames.map((name) => (
         <ToolButton key={name} name={name} />
       ))}
@@ -40,7 +40,7 @@ export function Toolbar() {
       <Action label={say.undo} keys={say.keys.undo} icon={UndoIcon} isOff={!canUndo.value} run={undo} />
       <Action label={say.redo} keys={say.keys.redo} icon={RedoIcon} isOff={!canRedo.value} run={redo} />
       <Action label={say.clear} icon={ClearIcon} isOff={isEmpty} run={() => edit({ clear: true })} />
-    </div>
+    </fieldset>
   );
 }
 

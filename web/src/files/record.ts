@@ -1,12 +1,16 @@
 // Videos of a run: the browser records the stage while the run is stepped through, in the time that the video takes.
 
 import { effect } from "@preact/signals";
+import { Cancelled } from "../engine/client";
 import type { NamedBytes, Progress } from "../engine/protocol";
-import { frame, isPlaying, run, seek } from "../state/play";
+import { frame, isPlaying, position, run, seek } from "../state/play";
 import { Composer } from "./compose";
 import { shownPositions } from "./pace";
 
 const PER_SECOND = 25;
+
+/** For so many frames more the end is seen. */
+const HELD = 20;
 
 /** What browsers record, the best first. */
 const kinds = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
@@ -40,10 +44,10 @@ export async function record(
   recorder.start();
   try {
     const begin = performance.now();
-    const positions = shownPositions(run.peek()?.length ?? 0, seconds, PER_SECOND);
-    for (const [i, position] of positions.entries()) {
-      seek(position);
-      await shown(position, signal);
+    const length = run.peek()?.length ?? 0;
+    const positions = [...shownPositions(length, seconds, PER_SECOND), ...Array(HELD).fill(length)];
+    for (const [i, at] of positions.entries()) {
+      await shown(at, signal);
       composer.draw();
       track.requestFrame();
       progress("recording", i + 1, positions.length);
@@ -58,22 +62,23 @@ export async function record(
   return { name, bytes: new Uint8Array(await new Blob(chunks).arrayBuffer()) };
 }
 
-/** Waits until the scene of a position is on the stage. */
-function shown(position: number, signal: AbortSignal): Promise<void> {
+/** Goes to a position and waits until its scene is on the stage; nobody else may go elsewhere meanwhile. */
+function shown(at: number, signal: AbortSignal): Promise<void> {
+  const of = run.peek();
   return new Promise((done, fail) => {
-    const stop = effect(() => {
-      if (frame.value?.position === position) queueMicrotask(() => finish());
-    });
-    const abort = () => {
-      stop();
-      fail(signal.reason);
-    };
-    const finish = () => {
-      stop();
+    const end = (how: () => void) => {
+      // The effect may be at work just now.
+      queueMicrotask(() => stop());
       signal.removeEventListener("abort", abort);
-      done();
+      how();
     };
-    signal.addEventListener("abort", abort, { once: true });
+    const abort = () => end(() => fail(signal.reason));
+    signal.addEventListener("abort", abort);
+    const stop = effect(() => {
+      if (run.value !== of) end(() => fail(new Cancelled()));
+      else if (position.value !== at) queueMicrotask(() => seek(at));
+      else if (frame.value?.position === at) end(done);
+    });
   });
 }
 

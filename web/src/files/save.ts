@@ -4,6 +4,7 @@ import { type Client, type Engine, mesher, stage } from "../engine/client";
 import type { NamedBytes } from "../engine/protocol";
 import { drawingName } from "../state/drawing";
 import { work, workHere } from "../state/job";
+import { run } from "../state/play";
 import { fileName, type Offered, type What } from "./choices";
 import { picture } from "./compose";
 import { download } from "./download";
@@ -31,7 +32,8 @@ export async function save(
   { extension, choices, what: kind }: Offered,
   chosen: Chosen,
 ): Promise<boolean> {
-  const stem = drawingName.peek();
+  const played = what === "run" ? run.peek() : null;
+  const stem = played ? `${drawingName.peek()}-${played.algorithm}` : drawingName.peek();
   const name = fileName(stem, extension);
   const options = Object.fromEntries(choices.map((choice) => [choice, chosen[choice]]));
   let files: NamedBytes[] | undefined;

@@ -17,6 +17,7 @@ const whole: Address = {
 test("what is written is read again", () => {
   expect(decode(encode(whole))).toEqual({ address: whole, broken: [] });
   expect(decode("")).toEqual({ address: {}, broken: [] });
+  expect(decode(encode({ see: [] }))).toEqual({ address: { see: [] }, broken: [] });
 });
 
 test("names of files may be escaped or not", () => {
@@ -33,6 +34,7 @@ test.each([
   "what=ever",
   "mode",
   "open=a,,b",
+  "open=",
   "open=%E0%A4",
   "run.colour=red",
   "run.__proto__=1",

@@ -53,7 +53,7 @@ export function encode(address: Address): string {
     if (value !== undefined) parts.push(`${key}=${escaped(String(value))}`);
   };
   const putList = (key: string, list?: string[]) => {
-    if (list && list.length > 0) parts.push(`${key}=${list.map(escaped).join(",")}`);
+    if (list) parts.push(`${key}=${list.map(escaped).join(",")}`);
   };
   put("mode", mode);
   putList("open", open);
@@ -90,8 +90,9 @@ function take(address: Address, key: string, raw: string): boolean {
   const [room, option] = key.split(".", 2);
   if (option !== undefined) return takeOption(address, room, option, raw);
   if (key === "open" || key === "see") {
-    const list = raw.split(",").map(unescaped);
-    const isWhole = list.every((each) => each !== null && each !== "");
+    const list = raw === "" ? [] : raw.split(",").map(unescaped);
+    // To open nothing is no wish; to see nothing is one.
+    const isWhole = list.every((each) => each !== null && each !== "") && (key === "see" || list.length > 0);
     if (isWhole) address[key] = list as string[];
     return isWhole;
   }

@@ -3,7 +3,7 @@
 import { batch, effect, signal } from "@preact/signals";
 import type { Recipe } from "../engine/protocol";
 import { openFetched, originOf } from "../files/fetched";
-import { switched } from "../see/overlays";
+import { all, type SeeName, switched } from "../see/overlays";
 import { words } from "../words";
 import { type Address, decode, encode } from "./address";
 import { drawing, open, recipe, show, usualSource } from "./drawing";
@@ -47,7 +47,7 @@ async function restore(hash: string): Promise<void> {
   }
   batch(() => {
     mode.value = address.mode ?? mode.peek();
-    if (address.see) switched.value = new Set(address.see) as typeof switched.value;
+    if (address.see) switched.value = seen(address.see, broken);
     if (address.kind) kind.value = address.kind;
     if (address.mesh) meshOptions.value = address.mesh;
     if (address.algorithm) chosen.value = address.algorithm;
@@ -55,7 +55,14 @@ async function restore(hash: string): Promise<void> {
   });
   if (!(await openOf(address, broken)) && !drawing.peek()) await open(usualSource);
   if (broken.length > 0) notify("info", words.peek().files.linkBroken(broken.join(", ")));
-  if (address.position) goTo(address.position);
+  goTo(address.position ?? 0);
+}
+
+/** Returns the overlays of these names. */
+function seen(names: string[], broken: string[]): ReadonlySet<SeeName> {
+  const known = all.map(({ name }) => name);
+  broken.push(...names.filter((name) => !known.some((each) => each === name)).map((name) => `see=${name}`));
+  return new Set(known.filter((name) => names.includes(name)));
 }
 
 /** Opens the drawing of an address, the usual one if it names none. */
