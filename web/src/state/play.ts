@@ -5,6 +5,7 @@ import { stage } from "../engine/client";
 import type { Algorithm, Direction, Frame, NamedBytes, Run, RunOptions, Source } from "../engine/protocol";
 import { drawing, open, recipe } from "./drawing";
 import { work } from "./job";
+import { mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
 
@@ -61,6 +62,7 @@ export async function playLog(file: NamedBytes): Promise<boolean> {
   if (!made) return false;
   isAdopting = true;
   try {
+    if (mode.peek() === "mesh") mode.value = "play";
     const frames = [0, made.length].map((at) =>
       stage.ask((engine) => engine.players.frame(SLOT, at, language.peek())),
     );
@@ -116,11 +118,21 @@ effect(() => {
   const next = [drawing.value, chosen.value, options.value, recipe.value.source];
   if (!drawing.value || algorithms.value.length === 0) return;
   if (next.slice(0, 3).every((part, i) => part === wanted[i])) return;
+  // Whoever meshes a million points does not want to watch, step by step, how that is done.
+  if (mode.value === "mesh") return forget();
   const isEdited = next.slice(1).every((part, i) => part === wanted[i + 1]);
   wanted = next;
   if (!isEdited) frame.value = null;
   if (!isAdopting) void start(isEdited ? standing() : 0);
 });
+
+/** Gives up a run that is of something else by now. */
+function forget(): void {
+  batch(() => {
+    run.value = null;
+    frame.value = null;
+  });
+}
 
 function standing(): number {
   const [at, length] = [position.peek(), run.peek()?.length];

@@ -112,6 +112,12 @@ test("a run is saved as a log, which is played again, as an animation and as a v
   await open(page, log);
   await counts(page, 9, 0, 0);
   await expect.poll(() => length.getAttribute("max")).toBe(steps);
+  await page.getByRole("button", { name: "Mesh", exact: true }).click();
+  await page.getByLabel("Preset").selectOption("thesis");
+  await counts(page, 9, 9, 1);
+  await open(page, log);
+  await counts(page, 9, 0, 0);
+  await expect.poll(() => length.getAttribute("max")).toBe(steps);
   expect(theatre.complaints).toEqual([]);
 });
 
