@@ -1,19 +1,21 @@
 // The stage, or the stages, that the mode has.
 
 import { computed, signal } from "@preact/signals";
+import { drawn } from "../drawing/drawn";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
-import { drawing, recipe } from "../state/drawing";
+import { drawing, source } from "../state/drawing";
 import { mesh } from "../state/mesh";
 import { mode } from "../state/mode";
 import { frame, run } from "../state/play";
 
-const camera = signal<Camera | null>(null);
+/** Which part of the plane the stage shows; null: all that was drawn. */
+export const camera = signal<Camera | null>(null);
 
 /** What the stage shows: a mesh, a run, or the bare drawing. */
-const scene = computed<StageScene>(() => {
+export const scene = computed<StageScene>(() => {
   const drawn = drawing.value;
   if (!drawn) return emptyScene;
   const bare = sceneOfDrawing(drawn.points, drawn.segments);
@@ -21,10 +23,7 @@ const scene = computed<StageScene>(() => {
 });
 
 /** What `fit` brings into view: all that was drawn. */
-const whole = computed(() => drawing.value?.points ?? emptyScene.points);
-
-/** What the drawing comes from; while it is only edited the view stays. */
-const source = computed(() => drawing.value && recipe.peek().source);
+export const whole = computed(() => drawing.value?.points ?? emptyScene.points);
 
 function ofRun(): StageScene | null {
   // The run before is gone before its last frame is.
@@ -39,6 +38,9 @@ function ofMesh(): StageScene | null {
   return { points, edges, locked: null, triangles, values: null, hasDots: false };
 }
 
+/** What is drawn over the scene: what explains it, and the drawing that is being edited. */
+export const above = computed(() => [...overlays.value, drawn]);
+
 export function Stages() {
-  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} source={source} />;
+  return <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />;
 }

@@ -2,9 +2,10 @@
 
 import { batch, computed, effect, signal } from "@preact/signals";
 import { stage } from "../engine/client";
-import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/protocol";
-import { drawing, recipe } from "./drawing";
+import type { Algorithm, Direction, Frame, NamedBytes, Run, RunOptions, Source } from "../engine/protocol";
+import { drawing, open, recipe } from "./drawing";
 import { work } from "./job";
+import { mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
 
@@ -31,23 +32,67 @@ export const frame = signal<Frame | null>(null);
 export const isPlaying = signal(false);
 export const speed = signal(8);
 
+/** The log that is played instead of a run that was made here. */
+let log: NamedBytes | null = null;
+
 // A new worker knows nothing.
 stage.onRestart(async (engine) => {
   if (drawing.peek()) await engine.drawings.make(recipe.peek());
   const lost = run.peek();
-  if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
+  if (lost && log) await engine.players.open(SLOT, log);
+  else if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
 });
 
 /** Runs the chosen algorithm on the drawing, and stands at `at`. */
 export async function start(at = 0): Promise<void> {
   isPlaying.value = false;
   run.value = null;
+  log = null;
   const made = await work(stage, "run", (engine) => engine.players.run(SLOT, chosen.peek(), options.peek()));
   batch(() => {
     run.value = made ?? null;
-    frame.value = null;
+    if (!made) frame.value = null;
     position.value = Math.min(at, made?.length ?? 0);
   });
+}
+
+/** Plays the log of a run, on a drawing of what it began with; returns whether that went well. */
+export async function playLog(file: NamedBytes): Promise<boolean> {
+  const made = await work(stage, "run", (engine) => engine.players.open(SLOT, file));
+  if (!made) return false;
+  isAdopting = true;
+  try {
+    if (mode.peek() === "mesh") mode.value = "play";
+    const frames = [0, made.length].map((at) =>
+      stage.ask((engine) => engine.players.frame(SLOT, at, language.peek())),
+    );
+    const [first, last] = await Promise.all(frames);
+    if (!(await open(beginningOf(first, last)))) return false;
+    if (algorithms.peek().some(({ name }) => name === made.algorithm)) chosen.value = made.algorithm;
+  } catch (error) {
+    tell(error);
+    return false;
+  } finally {
+    isAdopting = false;
+  }
+  log = file;
+  batch(() => {
+    run.value = made;
+    frame.value = null;
+    position.value = 0;
+  });
+  return true;
+}
+
+/** Returns what a run began with: the points of its first scene, and the constraints between them of its last. */
+function beginningOf({ points }: Frame, { edges, locked }: Frame): Source {
+  const count = points.length / 2;
+  const segments: number[] = [];
+  for (let e = 0; e < edges.length; e += 2) {
+    const [a, b] = [edges[e], edges[e + 1]];
+    if (locked[e / 2] === 1 && a < count && b < count) segments.push(a, b);
+  }
+  return { kind: "lists", points, segments: Uint32Array.from(segments), holes: new Float64Array() };
 }
 
 /** Goes to a position, which may lie outside of the run. */
@@ -63,15 +108,38 @@ export async function jump(direction: Direction, kind: string): Promise<void> {
   seek(found ?? end);
 }
 
-// A drawing or an algorithm that changes makes another run.
-let wanted: unknown;
+// A drawing or an algorithm that changes makes another run. While the drawing is only edited, it stands where the one
+// before stood, and at the end if that did; whatever else is drawn is seen bare until its run is there.
+let wanted: unknown[] = [];
+let isAdopting = false;
+/** Where it stood when the last edit came: edits may come faster than runs. */
+let ended = 0;
 effect(() => {
-  const next = [drawing.value, chosen.value, options.value];
+  const next = [drawing.value, chosen.value, options.value, recipe.value.source];
   if (!drawing.value || algorithms.value.length === 0) return;
-  if (Array.isArray(wanted) && next.every((part, i) => part === (wanted as unknown[])[i])) return;
+  if (next.slice(0, 3).every((part, i) => part === wanted[i])) return;
+  // Whoever meshes a million points does not want to watch, step by step, how that is done.
+  if (mode.value === "mesh") return forget();
+  const isEdited = next.slice(1).every((part, i) => part === wanted[i + 1]);
   wanted = next;
-  void start();
+  if (!isEdited) frame.value = null;
+  if (!isAdopting) void start(isEdited ? standing() : 0);
 });
+
+/** Gives up a run that is of something else by now. */
+function forget(): void {
+  batch(() => {
+    run.value = null;
+    frame.value = null;
+  });
+}
+
+function standing(): number {
+  const [at, length] = [position.peek(), run.peek()?.length];
+  if (length === undefined) return ended;
+  ended = at === length ? Number.POSITIVE_INFINITY : at;
+  return ended;
+}
 
 // The scene follows the position: one question at a time, and then for where it stands by now.
 let isLooking = false;

@@ -15,8 +15,16 @@ export const app: Words["app"] = {
   language: "Sprache",
   theme: "Farben",
   themes: { auto: "wie das System", light: "hell", dark: "dunkel" },
-  jobs: { draw: "Zeichnen", run: "Der Algorithmus läuft", mesh: "Vernetzen", save: "Schreiben" },
+  jobs: {
+    draw: "Zeichnen",
+    run: "Der Algorithmus läuft",
+    mesh: "Vernetzen",
+    save: "Schreiben",
+    record: "Der Lauf wird aufgenommen",
+  },
   cancel: "Abbrechen",
+  show: "Zeigen",
+  actions: { save: "Speichern …" },
   dismiss: "Schließen",
   skip: "Zur Bühne springen",
 };

@@ -13,8 +13,16 @@ export const app = {
   language: "Language",
   theme: "Colours",
   themes: { auto: "as the system", light: "light", dark: "dark" },
-  jobs: { draw: "Drawing", run: "Running the algorithm", mesh: "Meshing", save: "Writing" },
+  jobs: {
+    draw: "Drawing",
+    run: "Running the algorithm",
+    mesh: "Meshing",
+    save: "Writing",
+    record: "Recording the run",
+  },
   cancel: "Cancel",
+  show: "Show",
+  actions: { save: "Save …" },
   dismiss: "Dismiss",
   skip: "Skip to the stage",
 };
