@@ -111,6 +111,7 @@ fn failed(failure: Failure) -> &'static str {
 
 fn ended(stage: Stage) -> &'static str {
     match stage {
+        Stage::Triangulation => "done: the points are triangulated",
         Stage::SplitEdges => "done: segments are divided",
         Stage::Sweep => "done: the sweep",
         Stage::StripHelpers => "done: helper points are removed",

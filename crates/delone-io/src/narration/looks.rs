@@ -333,6 +333,10 @@ fn failed(failure: Failure) -> Option<Sentence> {
 
 fn ended(stage: Stage) -> [&'static str; 2] {
     match stage {
+        Stage::Triangulation => [
+            "Done: the points are triangulated.",
+            "Fertig: Die Punkte sind trianguliert.",
+        ],
         Stage::SplitEdges => [
             "Done: segments are divided.",
             "Fertig: Die Strecken sind geteilt.",

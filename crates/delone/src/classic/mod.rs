@@ -29,6 +29,7 @@ mod bounding;
 mod bowyer_watson;
 mod cline_renka;
 mod conflicts;
+mod constrained;
 mod convex_hull;
 mod covering;
 mod divide;
@@ -105,6 +106,8 @@ pub enum Algorithm {
     Fortune,
     /// For comparison: the divide and conquer that this library builds with.
     DivideAndConquer,
+    /// This library's insertion of segments, and its carving.
+    Constrained,
 }
 
 impl Algorithm {
@@ -128,6 +131,7 @@ impl Algorithm {
         Self::SweepCircle,
         Self::Fortune,
         Self::DivideAndConquer,
+        Self::Constrained,
     ];
 
     /// Finds an algorithm by its [name](About::name).
@@ -157,7 +161,13 @@ impl Algorithm {
             Self::SweepCircle => &sweep_circle::ABOUT,
             Self::Fortune => &fortune::ABOUT,
             Self::DivideAndConquer => &divide::ABOUT,
+            Self::Constrained => &constrained::ABOUT,
         }
+    }
+
+    /// Tells whether it refines a domain: adds vertices until the mesh is as good as [`Input::quality`] asks.
+    pub fn refines(self) -> bool {
+        self == Self::Thesis
     }
 
     /// Runs it, without being observed.
@@ -202,6 +212,7 @@ impl Algorithm {
             Self::SweepCircle => sweep_circle::run(input, observer),
             Self::Fortune => fortune::run(input, observer),
             Self::DivideAndConquer => divide::run(input, observer),
+            Self::Constrained => constrained::run(input, observer),
         }
     }
 }

@@ -51,16 +51,5 @@ pub(super) fn run(input: &Input, observer: &mut (impl Observer + Send)) -> Resul
         }
         _ => {}
     }
-    let mesh = refined.mesh;
-    let constrained = mesh.constrained_edges().map(|[a, b]| [a.min(b), a.max(b)]);
-    let mut constrained: Vec<_> = constrained.collect();
-    constrained.sort_unstable();
-    let t = mesh.triangulation();
-    Ok(Output {
-        points: t.points().to_vec(),
-        triangles: t.triangles().to_vec(),
-        constrained,
-        duplicates: t.duplicates().to_vec(),
-        ..Output::default()
-    })
+    Ok(Output::of_domain(&refined.mesh))
 }

@@ -410,6 +410,8 @@ pub enum Failure {
 )]
 #[non_exhaustive]
 pub enum Stage {
+    /// The points are triangulated.
+    Triangulation,
     /// Segments are divided evenly, before there is a mesh.
     SplitEdges,
     /// The plane is swept.

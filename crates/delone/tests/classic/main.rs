@@ -1,6 +1,7 @@
 //! The classical algorithms: all against one suite, and each against its own text.
 
 mod chapter;
+mod constrained;
 mod edge_flip;
 mod facts;
 mod flips;
