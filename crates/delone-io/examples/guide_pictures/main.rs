@@ -22,7 +22,7 @@ use std::path::Path;
 type Strip = (Algorithm, fn() -> Input<'static>, &'static str);
 
 /// The strips, one for each algorithm.
-const STRIPS: [Strip; 19] = [
+const STRIPS: [Strip; 20] = [
     (
         Algorithm::Sweep,
         outline,
@@ -137,6 +137,12 @@ const STRIPS: [Strip; 19] = [
         "1 segment-considered, 3 walk-stepped, 1 edge-created, 3 triangle-created, 1 edge-locked, \
          1 edge-flipped, 3 triangle-visited",
     ),
+    (
+        Algorithm::Refinement,
+        plate,
+        "1 circumcenter-proposed, 1 circumcenter-rejected, 3 triangle-created, 1 circumcenter-proposed, \
+         1 edge-deleted, 4 triangle-created, 1 circumcenter-rejected",
+    ),
 ];
 
 /// Strips that show one part of an algorithm, with the names of their pictures.
@@ -220,6 +226,21 @@ fn bay() -> Input<'static> {
     pslg.add_segment(7, 12);
     Input {
         domain: DomainRule::Carve,
+        ..Input::from_pslg(pslg)
+    }
+}
+
+/// The same outline, to be meshed.
+fn plate() -> Input<'static> {
+    let mut pslg = bay().pslg;
+    pslg.points.truncate(7);
+    pslg.segments.truncate(7);
+    Input {
+        domain: DomainRule::Carve,
+        quality: Quality {
+            min_angle: Some(Angle::degrees(30.0)),
+            ..Quality::default()
+        },
         ..Input::from_pslg(pslg)
     }
 }

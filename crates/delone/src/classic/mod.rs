@@ -45,6 +45,7 @@ mod opening;
 mod output;
 mod printed_sweep;
 mod random_incremental;
+mod refinement;
 mod restoring;
 mod searching;
 mod segment_walk;
@@ -108,6 +109,8 @@ pub enum Algorithm {
     DivideAndConquer,
     /// This library's insertion of segments, and its carving.
     Constrained,
+    /// This library's refinement.
+    Refinement,
 }
 
 impl Algorithm {
@@ -132,6 +135,7 @@ impl Algorithm {
         Self::Fortune,
         Self::DivideAndConquer,
         Self::Constrained,
+        Self::Refinement,
     ];
 
     /// Finds an algorithm by its [name](About::name).
@@ -162,12 +166,13 @@ impl Algorithm {
             Self::Fortune => &fortune::ABOUT,
             Self::DivideAndConquer => &divide::ABOUT,
             Self::Constrained => &constrained::ABOUT,
+            Self::Refinement => &refinement::ABOUT,
         }
     }
 
     /// Tells whether it refines a domain: adds vertices until the mesh is as good as [`Input::quality`] asks.
     pub fn refines(self) -> bool {
-        self == Self::Thesis
+        matches!(self, Self::Thesis | Self::Refinement)
     }
 
     /// Runs it, without being observed.
@@ -213,6 +218,7 @@ impl Algorithm {
             Self::Fortune => fortune::run(input, observer),
             Self::DivideAndConquer => divide::run(input, observer),
             Self::Constrained => constrained::run(input, observer),
+            Self::Refinement => refinement::run(input, observer),
         }
     }
 }

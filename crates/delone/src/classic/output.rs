@@ -10,7 +10,7 @@ use crate::{
 ///
 /// | field | filled by |
 /// |---|---|
-/// | `points`, `duplicates` | all; only [`Thesis`](super::Algorithm::Thesis) and those that take data add points |
+/// | `points`, `duplicates` | all; only those that [refine](super::Algorithm::refines) or take data add points |
 /// | `triangles` | all but [`ConvexHull`](super::Algorithm::ConvexHull) |
 /// | `constrained` | all that take segments |
 /// | `hull` | only `ConvexHull` |

@@ -11,6 +11,7 @@ mod lecture;
 mod named;
 mod polygons;
 mod printed_sweep;
+mod refinement;
 mod scene;
 mod small;
 mod stopping;
