@@ -54,7 +54,7 @@ pub(super) fn words(event: Event) -> &'static str {
         Event::Encroached { .. } => "a vertex lies too close to a segment",
         Event::SegmentSplit { .. } => "an edge is divided",
         Event::CircumcenterProposed { .. } => "a place for a vertex is proposed",
-        Event::CircumcenterRejected { .. } => "the circumcenter is rejected",
+        Event::CircumcenterRejected { .. } => "that place is rejected",
         Event::CoverAccepted { .. } => "every triangle holds enough data",
         Event::CoverRejected { .. } => "this triangle holds too few data",
         Event::OuterReduced { edge: Some(_) } => "the outer polygon loses an edge",
