@@ -4,6 +4,7 @@
 import { expose } from "comlink";
 import init, { version } from "../wasm/delone.js";
 import { drawings } from "./drawings";
+import { looks } from "./looks";
 import { meshes } from "./meshes";
 import { players } from "./players";
 
@@ -16,6 +17,7 @@ const worker = {
   drawings,
   players,
   meshes,
+  looks,
 };
 
 /** What the page may ask. */
