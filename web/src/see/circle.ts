@@ -1,0 +1,28 @@
+// The last test of a circle: the circle, the fourth point, the exact answer, and who decides where there is a tie.
+
+import type { Overlay } from "../stage/Stage";
+import { frame } from "../state/play";
+import { words } from "../words";
+import { circumcircle, drawCircle } from "./circles";
+import { largest, lastTest } from "./circleTests";
+import { chip, pale, placeOf } from "./looks";
+import { turn } from "./turn";
+
+/** Draws the test. */
+export const circle: Overlay = (pen) => {
+  const shown = frame.value;
+  const test = shown && lastTest(turn.value);
+  if (!test) return;
+  const { points } = shown;
+  const colour = test.is_inside ? pen.palette.bad : pen.palette.good;
+  const round = circumcircle(points, test.triangle);
+  if (round) drawCircle(pen, round, { stroke: colour, width: 2, fill: pale(colour, 0.07) });
+  pen.polygon(points, test.triangle, { stroke: pale(colour, 0.6), width: 2 });
+  pen.dot(...placeOf(points, test.point), { fill: colour, stroke: pen.palette.paper, width: 2, size: 7 });
+  const { sides, onCircle } = words.value.see;
+  const [x, y] = pen.at(...placeOf(points, test.point));
+  if (test.answer !== "on") return chip(pen, x, y - 22, sides[test.answer], colour, true);
+  const judge = largest(points, [...test.triangle, test.point]);
+  pen.dot(...placeOf(points, judge), { stroke: pen.palette.asked, width: 2.5, size: 11 });
+  chip(pen, x, y - 22, onCircle(sides[test.is_inside ? "inside" : "outside"], String(judge)), colour, true);
+};
