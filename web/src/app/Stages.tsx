@@ -1,6 +1,7 @@
 // The stage, or the stages, that the mode has.
 
 import { computed, signal } from "@preact/signals";
+import { Beside } from "../lift/Beside";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
@@ -40,5 +41,9 @@ function ofMesh(): StageScene | null {
 }
 
 export function Stages() {
-  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} source={source} />;
+  return (
+    <Beside>
+      <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} source={source} />
+    </Beside>
+  );
 }
