@@ -35,7 +35,7 @@ export const see: Words["see"] = {
     marks:
       "Worum es im Schritt geht: Grünes kommt oder darf bleiben, Rotes geht oder muss gehen, Gelbes wird betrachtet.",
     circle:
-      "Der letzte Umkreistest: Liegt der vierte Punkt innen? Die Antwort ist exakt; auf dem Kreis entscheidet eine symbolische Störung.",
+      "Der letzte Umkreistest: Liegt der vierte Punkt innen? Die Antwort ist exakt. Liegt er auf dem Kreis, gilt der am weitesten rechts liegende der vier als etwas angehoben, und das entscheidet.",
     walk: "Die Dreiecke und Kanten, die seit Beginn dieser Runde besucht wurden, in ihrer Reihenfolge.",
     waiting:
       "Was darauf wartet, betrachtet zu werden, nummeriert in der Reihenfolge der Ankunft. Was zuerst an die Reihe kommt, ist kräftiger gezeichnet.",
@@ -60,8 +60,9 @@ export const see: Words["see"] = {
   },
   hint: "Was ein Schalter zeigt, steht hier, sobald der Zeiger darauf ruht.",
   reset: "Wie üblich",
-  sides: { inside: "innen", on: "auf dem Kreis", outside: "außen" },
-  onCircle: (counts, largest) => `auf dem Kreis: Ecke ${largest}, ganz rechts, gilt als angehoben: ${counts}`,
+  sides: { inside: "innen", outside: "außen" },
+  onCircle: (counts) => `auf dem Kreis: ${counts}`,
+  raised: "angehoben",
   circleHolds: (inside, on) =>
     `${inside === 0 ? "leer" : `${inside} innen`}${on === 0 ? "" : `, ${on} auf dem Kreis`}`,
   waiting: {

@@ -27,7 +27,7 @@ export const see = {
   about: {
     marks: "What the step is about: green comes or may stay, red goes or must, amber is looked at.",
     circle:
-      "The last test of a circle: does the fourth point lie inside? The answer is exact; on the circle, a symbolic perturbation decides.",
+      "The last test of a circle: does the fourth point lie inside? The answer is exact. If it lies on the circle, the rightmost of the four counts as lifted a little, which decides.",
     walk: "The triangles and edges visited since this turn began, in their order.",
     waiting:
       "What waits to be looked at, numbered in the order in which it came. What goes first is drawn stronger.",
@@ -50,9 +50,9 @@ export const see = {
   },
   hint: "Point at a switch to read what it shows.",
   reset: "As usual",
-  sides: { inside: "inside", on: "on the circle", outside: "outside" },
-  onCircle: (counts: string, largest: string) =>
-    `on the circle: vertex ${largest}, the rightmost, counts as lifted: ${counts}`,
+  sides: { inside: "inside", outside: "outside" },
+  onCircle: (counts: string) => `on the circle: ${counts}`,
+  raised: "lifted",
   circleHolds: (inside: number, on: number) =>
     `${inside === 0 ? "empty" : `${inside} inside`}${on === 0 ? "" : `, ${on} on the circle`}`,
   waiting: {
