@@ -2,6 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import { drawn } from "../drawing/drawn";
+import { Beside } from "../lift/Beside";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
@@ -42,5 +43,9 @@ function ofMesh(): StageScene | null {
 export const above = computed(() => [...overlays.value, drawn]);
 
 export function Stages() {
-  return <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />;
+  return (
+    <Beside>
+      <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />
+    </Beside>
+  );
 }

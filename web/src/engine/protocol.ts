@@ -276,3 +276,40 @@ export interface RunSaveOptions {
 
 /** Told now and then how far work has come; `total` is 0 if nobody knows. */
 export type Progress = (phase: string, done: number, total: number) => void;
+
+/** A step of the past. */
+export interface Happening {
+  /** The position at which it had just been taken. */
+  position: number;
+  kind: string;
+  event: Record<string, unknown>;
+}
+
+/** In which order things wait. */
+export interface Arrivals {
+  /** For each row of `Frame.waiting` its place in the order in which they came, from 1; 0: longer ago than was looked. */
+  ranks: Partial<Record<Queue, number[]>>;
+  /** What will be taken out first; null if that is not soon. */
+  next: { queue: Queue; row: [number, number, number] } | null;
+}
+
+/** Edges with their two ends and the two corners opposite: four numbers each. */
+export interface Judged {
+  /** The four lie on one circle, exactly. */
+  cocircular: Indices;
+  /** Not locally Delaunay, and not locked. */
+  illegal: Indices;
+}
+
+/** Where a point lies relative to a circle, and for which it counts: on the circle, the perturbation decides. */
+export interface CircleSide {
+  side: "inside" | "on" | "outside";
+  counts: "inside" | "outside";
+}
+
+/** The vertex nearest to a place, and the triangles through which the search has come. */
+export interface Nearest {
+  vertex: number;
+  distance: number;
+  walk: number[];
+}

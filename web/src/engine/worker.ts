@@ -5,6 +5,7 @@ import { expose } from "comlink";
 import init, { version } from "../wasm/delone.js";
 import { drawings } from "./drawings";
 import { zipped } from "./files";
+import { looks } from "./looks";
 import { meshes } from "./meshes";
 import { players } from "./players";
 import { carryMarks } from "./troubles";
@@ -19,6 +20,7 @@ const worker = {
   players,
   meshes,
   zipped,
+  looks,
 };
 
 /** What the page may ask. */

@@ -10,7 +10,7 @@ import { tell } from "./notices";
 import { language } from "./settings";
 
 /** The slot of the run on the stage; races use those from 1 on. */
-const SLOT = 0;
+export const SLOT = 0;
 
 /** All algorithms that can be played. */
 export const algorithms = signal<Algorithm[]>([]);

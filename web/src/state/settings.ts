@@ -27,8 +27,8 @@ function kept<T extends string>(name: string, usual: T, allowed: T[]): Signal<T>
   return value;
 }
 
-// Storage may be forbidden; then nothing is kept.
-function read(key: string): string | null {
+/** Reads what was kept. Storage may be forbidden; then nothing is. */
+export function read(key: string): string | null {
   try {
     return localStorage.getItem(key);
   } catch {
@@ -36,7 +36,8 @@ function read(key: string): string | null {
   }
 }
 
-function write(key: string, value: string): void {
+/** Keeps something until the next visit. */
+export function write(key: string, value: string): void {
   try {
     localStorage.setItem(key, value);
   } catch {

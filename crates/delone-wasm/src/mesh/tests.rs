@@ -69,14 +69,42 @@ fn told(mesh: &Mesh) -> impl Iterator<Item = Explanation> + '_ {
 
 #[test]
 fn every_vertex_that_was_added_has_a_cause() {
-    let mesh = thesis(r#"{"thesis": true, "minAngle": 29, "maxEdge": 3, "explains": true}"#);
+    let rules = rules_of(&thesis(
+        r#"{"thesis": true, "minAngle": 29, "maxEdge": 3, "explains": true}"#,
+    ));
+    assert!(rules.contains("size") && rules.len() > 1, "{rules:?}");
+    let rules = rules_of(&thesis(
+        r#"{"minAngle": 29, "maxArea": 0.5, "explains": true}"#,
+    ));
+    assert!(
+        rules.contains("circumcenter") && rules.contains("size"),
+        "{rules:?}"
+    );
+    let options = r#"{"minAngle": 30, "maxEdge": 0.25, "explains": true}"#.to_owned();
+    let lake = Drawing::preset("lake", 0, 1).expect("a preset");
+    let lake = Mesh::refine(&lake, Some(options), None).expect("a mesh");
+    let rules = rules_of(&lake);
+    assert!(
+        rules.contains("lattice") && rules.contains("encroachment"),
+        "{rules:?}"
+    );
+}
+
+/// Lists why vertices were added, and checks each.
+fn rules_of(mesh: &Mesh) -> std::collections::BTreeSet<&'static str> {
     let mut rules = std::collections::BTreeSet::new();
-    for triangle in told(&mesh) {
+    for triangle in told(mesh) {
         for corner in triangle.vertices {
             let is_added = corner.origin != "input";
             assert_eq!(corner.cause.is_some(), is_added, "{}", corner.vertex);
             let Some(cause) = corner.cause else { continue };
             rules.insert(cause.rule);
+            // What is sown has no parents.
+            if cause.parent.is_empty() {
+                let is_sown = cause.rule == "lattice" || corner.origin == "onSegment";
+                assert!(is_sown, "{} for {}", corner.vertex, cause.rule);
+                continue;
+            }
             assert!((2..=3).contains(&cause.parent.len()));
             if corner.origin == "onSegment" {
                 let [[ax, ay], [bx, by]] = cause.edge.expect("a divided edge");
@@ -85,7 +113,7 @@ fn every_vertex_that_was_added_has_a_cause() {
             }
         }
     }
-    assert!(rules.contains("size") && rules.len() > 1, "{rules:?}");
+    rules
 }
 
 #[test]

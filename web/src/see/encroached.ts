@@ -1,0 +1,46 @@
+// Segments to which a vertex is too close, and the circles that say so.
+
+import type { Overlay } from "../stage/Stage";
+import { frame } from "../state/play";
+import { diametral, drawCircle } from "./circles";
+import { isNear, pale, placeOf, strength } from "./looks";
+import { linksOf, shown } from "./shown";
+import { turn } from "./turn";
+import { crowding } from "./verdicts";
+
+/** Draws the segments that have been found encroached in this turn. */
+export const encroached: Overlay = (pen) => {
+  const points = frame.value?.points;
+  if (!points) return;
+  const colour = pen.palette.bad;
+  for (const { kind, event } of turn.value) {
+    if (kind !== "encroached") continue;
+    const segment = event.segment as number[];
+    drawCircle(pen, diametral(points, segment), { stroke: colour, width: 2, fill: pale(colour, 0.1) });
+    pen.polygon(points, segment, { stroke: colour, width: 4 });
+    pen.dot(...placeOf(points, event.by as number), {
+      fill: colour,
+      stroke: pen.palette.paper,
+      width: 2,
+      size: 6,
+    });
+  }
+};
+
+/** Draws the diametral circles of all constraints. */
+export const circles: Overlay = (pen) => {
+  const scene = shown.value;
+  if (!scene || scene.constrained.length === 0) return;
+  const { points, constrained } = scene;
+  const state = crowding(points, constrained, linksOf(scene));
+  const near = Array.from(state.keys()).filter((e) =>
+    isNear(pen, ...placeOf(points, constrained[2 * e]), 400),
+  );
+  const share = 0.15 + 0.55 * strength(pen, near.length, 40);
+  for (const e of near) {
+    const isBad = state[e] === 1;
+    const colour = isBad ? pen.palette.bad : pen.palette.locked;
+    const look = { stroke: pale(colour, isBad ? Math.max(share, 0.6) : share), width: isBad ? 1.75 : 1 };
+    drawCircle(pen, diametral(points, constrained.subarray(2 * e, 2 * e + 2)), look);
+  }
+};

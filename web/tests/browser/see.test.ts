@@ -1,0 +1,251 @@
+// Overlays: each can be switched on in the middle of a run and draws; the pointer asks; the lifted view turns.
+
+import type { Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { Theatre } from "./page";
+
+let theatre: Theatre;
+beforeAll(async () => {
+  theatre = await Theatre.open();
+});
+afterAll(() => theatre.close());
+
+/** Opens the page with nothing switched on. */
+async function bare(size = { width: 1280, height: 720 }): Promise<Page> {
+  const page = await theatre.visit("", { reducedMotion: "reduce", viewport: size });
+  await page.evaluate(() => localStorage.setItem("delone.see", "[]"));
+  await page.reload();
+  await page.getByText("Before the first step.").waitFor();
+  return page;
+}
+
+async function play(page: Page, algorithm: string, preset?: string): Promise<void> {
+  if (preset) {
+    await page.getByLabel("Preset").selectOption(preset);
+    await settled(page);
+  }
+  await page.getByRole("combobox", { name: "Algorithm" }).selectOption(algorithm);
+  await settled(page);
+}
+
+/** Waits until the page has drawn and asked whatever it wants. */
+const settled = (page: Page): Promise<void> => page.waitForTimeout(400);
+
+async function seek(page: Page, share: number, wait = 400): Promise<void> {
+  await page.getByRole("slider", { name: "Position" }).evaluate((slider: HTMLInputElement, to) => {
+    slider.value = String(Math.round(to * Number(slider.max)));
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }, share);
+  await page.waitForTimeout(wait);
+}
+
+const canvas = (page: Page): Locator => page.locator(".stage canvas").last();
+
+/** Counts the pixels of a canvas on which something is drawn. */
+const drawn = (of: Locator): Promise<number> =>
+  of.evaluate((element) => {
+    // A copy: who reads a canvas often makes it slow.
+    const { width, height } = element as HTMLCanvasElement;
+    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true })!;
+    copy.drawImage(element as HTMLCanvasElement, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    let count = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count += 1;
+    return count;
+  });
+
+/** The picture on a canvas. */
+const picture = (of: Locator): Promise<string> =>
+  of.evaluate((element) => (element as HTMLCanvasElement).toDataURL());
+
+const box = (page: Page, name: string): Locator => page.getByRole("checkbox", { name, exact: true });
+
+/** Switches something on, sees that more is drawn, and switches it off again. */
+async function draws(page: Page, name: string): Promise<void> {
+  const before = await drawn(canvas(page));
+  const now = () => drawn(canvas(page));
+  await box(page, name).check();
+  await expect.poll(now, { message: name, timeout: 5000 }).toBeGreaterThan(before + 20);
+  await box(page, name).uncheck();
+  await expect.poll(now, { message: `${name}, off`, timeout: 5000 }).toBe(before);
+}
+
+/** Goes on, step by step at most so far, until the page says something. */
+async function until(page: Page, said: RegExp): Promise<void> {
+  const step = page.getByRole("button", { name: "Step", exact: true });
+  for (let i = 0; i < 400; i++) {
+    if (await page.locator(".narration").filter({ hasText: said }).count()) return;
+    await step.click();
+    await page.waitForTimeout(30);
+  }
+  throw new Error(`nothing says ${said}`);
+}
+
+test("what explains a step can be switched on in the middle of a run", async () => {
+  const page = await bare();
+  await play(page, "fortune");
+  await seek(page, 0.5);
+  for (const name of [
+    "Marks",
+    "Front",
+    "Sweep",
+    "Stack or queue",
+    "Numbers",
+    "Voronoi cells",
+    "Dual (Voronoi)",
+  ]) {
+    await draws(page, name);
+  }
+  await play(page, "cline-renka");
+  await seek(page, 0.6);
+  await until(page, /walk/i);
+  await draws(page, "Walk");
+  await play(page, "edge-flip");
+  await seek(page, 0.5);
+  await until(page, /circle/i);
+  await draws(page, "Circle test");
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("what some algorithms have of their own is drawn", async () => {
+  const page = await bare();
+  await play(page, "printed-sweep", "thesis");
+  await seek(page, 0.5);
+  await until(page, /see/i);
+  await draws(page, "Rays");
+  await draws(page, "Diametral circles");
+  await play(page, "algorithm-a", "uniform");
+  await seek(page, 0.9);
+  await draws(page, "Data");
+  await seek(page, 0.7);
+  await draws(page, "Clusters");
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("edges are judged", async () => {
+  const page = await bare();
+  await play(page, "flip-list", "grid");
+  await seek(page, 0.4);
+  await draws(page, "Cocircular");
+  await draws(page, "Illegal edges");
+  await seek(page, 1);
+  await draws(page, "Cocircular");
+  await box(page, "Illegal edges").check();
+  await settled(page);
+  expect(await drawn(canvas(page)), "a finished triangulation").toBe(0);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("the pointer asks for half-edges, vertices and triangles", async () => {
+  const page = await bare();
+  await play(page, "incremental");
+  await seek(page, 1);
+  await canvas(page).hover();
+  for (const name of ["Half-edges", "Nearest vertex", "Triangle"]) {
+    await box(page, name).focus();
+    const place = (await canvas(page).boundingBox())!;
+    await page.mouse.move(place.x + place.width * 0.4, place.y + place.height * 0.5);
+    const before = await drawn(canvas(page));
+    await page.keyboard.press("Space");
+    await settled(page);
+    const first = await picture(canvas(page));
+    expect(await drawn(canvas(page)), name).toBeGreaterThan(before + 20);
+    await page.mouse.move(place.x + place.width * 0.6, place.y + place.height * 0.4);
+    await settled(page);
+    expect(await picture(canvas(page)), `${name}, elsewhere`).not.toBe(first);
+    await page.keyboard.press("Space");
+  }
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("a mesh has overlays too", async () => {
+  const page = await bare();
+  await page.getByLabel("Preset").selectOption("gear");
+  await page.getByRole("button", { name: "Mesh", exact: true }).first().click();
+  await page.locator(".work button").last().click();
+  await page.locator(".work dl").waitFor();
+  for (const name of ["Dual (Voronoi)", "Diametral circles"]) await draws(page, name);
+  await page.screenshot({ path: "test-results/see-mesh.png" });
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("the lifted view rises, turns by keys and by hand, and is closed", async () => {
+  const page = await bare();
+  await play(page, "flip-list");
+  await seek(page, 0.5);
+  await page.getByRole("button", { name: "Lifted view" }).click();
+  const view = page.getByRole("application", { name: /paraboloid/ });
+  const sheet = view.locator("canvas");
+  await settled(page);
+  const pictures = [await picture(sheet)];
+  await view.focus();
+  await page.keyboard.press("ArrowRight");
+  await settled(page);
+  pictures.push(await picture(sheet));
+  const place = (await view.boundingBox())!;
+  await page.mouse.move(place.x + 100, place.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 180, place.y + 240, { steps: 4 });
+  await page.mouse.up();
+  await settled(page);
+  pictures.push(await picture(sheet));
+  await page.getByRole("slider", { name: "Height" }).fill("0.3");
+  await settled(page);
+  pictures.push(await picture(sheet));
+  await seek(page, 0.9);
+  pictures.push(await picture(sheet));
+  expect(new Set(pictures).size).toBe(pictures.length);
+  await page.screenshot({ path: "test-results/lift.png" });
+  await page.getByRole("button", { name: "Close the lifted view" }).click();
+  expect(await view.count()).toBe(0);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("what is switched is kept, and set back", async () => {
+  const page = await theatre.visit();
+  await page.getByText("Before the first step.").waitFor();
+  expect(await box(page, "Front").isChecked()).toBe(true);
+  await box(page, "Front").uncheck();
+  await box(page, "Voronoi cells").check();
+  await page.reload();
+  await page.getByText("Before the first step.").waitFor();
+  expect(await box(page, "Front").isChecked()).toBe(false);
+  expect(await box(page, "Voronoi cells").isChecked()).toBe(true);
+  await page.getByRole("button", { name: "As usual" }).click();
+  expect(await box(page, "Front").isChecked()).toBe(true);
+  expect(await box(page, "Voronoi cells").isChecked()).toBe(false);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("everything at once is drawn while any algorithm plays", async () => {
+  const page = await bare();
+  for (const each of await page.locator(".see").getByRole("checkbox").all()) await each.check();
+  await page.getByRole("button", { name: "Lifted view" }).click();
+  const place = (await canvas(page).boundingBox())!;
+  for (const preset of ["grid", "thesis"]) {
+    await page.getByLabel("Preset").selectOption(preset);
+    await settled(page);
+    const choice = page.getByRole("combobox", { name: "Algorithm" });
+    const names = await choice
+      .locator("option")
+      .evaluateAll((all) => all.map((each) => (each as HTMLOptionElement).value));
+    for (const name of names) {
+      await choice.selectOption(name);
+      await page.mouse.move(place.x + place.width * 0.4, place.y + place.height * 0.5);
+      for (const share of [0.02, 0.3, 0.31, 0.8, 1]) await seek(page, share, 30);
+      await page.mouse.move(place.x + place.width * 0.6, place.y + place.height * 0.4);
+      await page.waitForTimeout(60);
+    }
+  }
+  expect(await page.locator(".notice").allTextContents()).toEqual([]);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("all fits on a telephone", async () => {
+  const page = await bare({ width: 360, height: 780 });
+  await page.getByRole("button", { name: "Lifted view" }).click();
+  await settled(page);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(wide).toBeLessThanOrEqual(360);
+  expect(theatre.complaints).toEqual([]);
+});
