@@ -6,7 +6,6 @@ use crate::options::Options;
 use crate::place::root;
 use crate::stale::{below, is_fresh};
 use crate::weight::Budget;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What scripts and styles may weigh together. The module has a budget of its own.
@@ -21,9 +20,6 @@ const APART: [&str; 4] = ["dist", "node_modules", "tests", "test-results"];
 /// What it is made of besides: the guide.
 const GUIDE: [&str; 2] = ["docs/algorithms", "REFERENCES.md"];
 
-/// What keeps the folder in the repository, and its content out: `delone-cli` looks at the folder when it is built.
-const KEEPER: &str = ".gitignore";
-
 /// Builds the page; if it is to be opened, only if it is stale.
 pub fn build(options: &Options) -> Result<(), Failure> {
     let web = root().join("web");
@@ -34,7 +30,6 @@ pub fn build(options: &Options) -> Result<(), Failure> {
     } else {
         println!("node:      {}", node::require()?);
         node::install(&web)?;
-        empty(&dist)?;
         node::script(&web, "build")?;
     }
     if !start.is_file() {
@@ -66,45 +61,9 @@ fn is_code(file: &Path) -> bool {
     extension.is_some_and(|e| ["js", "mjs", "css"].iter().any(|code| e == *code))
 }
 
-/// Removes what an earlier build has left, which the bundler would keep, under names of its own.
-fn empty(dist: &Path) -> Result<(), Failure> {
-    let unreadable = || Failure::file("cannot read", dist);
-    fs::create_dir_all(dist).map_err(Failure::file("cannot create", dist))?;
-    for entry in fs::read_dir(dist).map_err(unreadable())? {
-        let entry = entry.map_err(unreadable())?;
-        if entry.file_name() == KEEPER {
-            continue;
-        }
-        let path = entry.path();
-        let is_folder = entry.file_type().map_err(unreadable())?.is_dir();
-        let removed = match is_folder {
-            true => fs::remove_dir_all(&path),
-            false => fs::remove_file(&path),
-        };
-        removed.map_err(Failure::file("cannot remove", &path))?;
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_earlier_build_goes_and_the_folder_stays() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let dist = folder.path().join("dist");
-        empty(&dist).expect("a new folder");
-        fs::create_dir(dist.join("assets")).expect("a folder");
-        for name in [KEEPER, "index.html", "assets/a.js"] {
-            fs::write(dist.join(name), "").expect("a file");
-        }
-        empty(&dist).expect("it can be emptied");
-        let left = fs::read_dir(&dist)
-            .expect("the folder")
-            .map(|e| e.expect("an entry").file_name());
-        assert_eq!(left.collect::<Vec<_>>(), [KEEPER]);
-    }
 
     #[test]
     fn scripts_and_styles_count() {
