@@ -4,6 +4,7 @@ import { DrawingPanel } from "../drawing/DrawingPanel";
 import { MeshPanel } from "../mesh/MeshPanel";
 import { PlayPanel } from "../play/PlayPanel";
 import { Transport } from "../play/Transport";
+import { PredictBar } from "../predict/PredictBar";
 import { PredictPanel } from "../predict/PredictPanel";
 import { RacePanel } from "../race/RacePanel";
 import { SeePanel } from "../see/SeePanel";
@@ -16,10 +17,12 @@ import { useShortcuts } from "./shortcuts";
 import "./app.css";
 
 const panels = { play: PlayPanel, predict: PredictPanel, race: RacePanel, mesh: MeshPanel };
+const bars = { play: Transport, predict: PredictBar, race: Transport, mesh: null };
 
 export function App() {
   useShortcuts();
   const Panel = panels[mode.value];
+  const Bar = bars[mode.value];
   return (
     <div class="app" data-mode={mode.value}>
       <Header />
@@ -31,7 +34,7 @@ export function App() {
         <Stages />
         <Jobs />
         <Notices />
-        {mode.value !== "mesh" && <Transport />}
+        {Bar && <Bar />}
       </main>
       <aside class="work">
         <Panel />

@@ -1,6 +1,8 @@
 // The stage, or the stages, that the mode has.
 
 import { computed, signal } from "@preact/signals";
+import { game } from "../predict/overlay";
+import { marks } from "../see/marks";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
@@ -39,6 +41,11 @@ function ofMesh(): StageScene | null {
   return { points, edges, locked: null, triangles, values: null, hasDots: false };
 }
 
+/** In the game marks would tell too much. */
+const drawn = computed(() =>
+  mode.value === "predict" ? [...overlays.value.filter((each) => each !== marks), game] : overlays.value,
+);
+
 export function Stages() {
-  return <Stage scene={scene} overlays={overlays} camera={camera} whole={whole} source={source} />;
+  return <Stage scene={scene} overlays={drawn} camera={camera} whole={whole} source={source} />;
 }

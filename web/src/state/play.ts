@@ -1,8 +1,9 @@
 // The run on the stage: which algorithm, where it stands, and the scene there.
 
 import { batch, computed, effect, signal } from "@preact/signals";
-import { stage } from "../engine/client";
+import { type Engine, stage } from "../engine/client";
 import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/protocol";
+import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, recipe } from "./drawing";
 import { work } from "./job";
 import { tell } from "./notices";
@@ -27,8 +28,9 @@ export const run = signal<Run | null>(null);
 export const position = signal(0);
 export const frame = signal<Frame | null>(null);
 
-/** Whether it plays, and how many steps a second. */
+/** Whether it plays, which way, and how many steps a second; infinitely many: as fast as it goes. */
 export const isPlaying = signal(false);
+export const heading = signal<Direction>("next");
 export const speed = signal(8);
 
 // A new worker knows nothing.
@@ -42,7 +44,8 @@ stage.onRestart(async (engine) => {
 export async function start(at = 0): Promise<void> {
   isPlaying.value = false;
   run.value = null;
-  const made = await work(stage, "run", (engine) => engine.players.run(SLOT, chosen.peek(), options.peek()));
+  const [what, how] = [chosen.peek(), options.peek()];
+  const made = await work(stage, "run", (engine, progress) => engine.players.run(SLOT, what, how, progress));
   batch(() => {
     run.value = made ?? null;
     frame.value = null;
@@ -63,12 +66,40 @@ export async function jump(direction: Direction, kind: string): Promise<void> {
   seek(found ?? end);
 }
 
+/** Finds where the next breakpoint that is on stops the run; null if none does. */
+export async function nextStop(direction: Direction, from: number): Promise<Stopped | null> {
+  const wanted = active.peek();
+  if (wanted.length === 0 || !run.peek()) return null;
+  const conditions = wanted.map(({ condition }) => condition);
+  const found = await stage.ask((engine) =>
+    engine.players.stop(SLOT, conditions, from, direction === "previous"),
+  );
+  return found ? { position: found.position, breakpoint: wanted[found.which] } : null;
+}
+
+/** Goes to the next, or the previous, breakpoint; to the end, or the beginning, if there is none. */
+export async function jumpToStop(direction: Direction): Promise<void> {
+  isPlaying.value = false;
+  try {
+    const found = await nextStop(direction, position.peek());
+    stopped.value = found;
+    seek(found?.position ?? (direction === "next" ? (run.peek()?.length ?? 0) : 0));
+  } catch (error) {
+    tell(error);
+  }
+}
+
+/** Asks something about the run on the stage. */
+export const askRun = <T>(question: (players: Engine["players"], slot: number) => Promise<T>): Promise<T> =>
+  stage.ask((engine) => question(engine.players, SLOT));
+
 // A drawing or an algorithm that changes makes another run.
 let wanted: unknown;
 effect(() => {
   const next = [drawing.value, chosen.value, options.value];
   if (!drawing.value || algorithms.value.length === 0) return;
   if (Array.isArray(wanted) && next.every((part, i) => part === (wanted as unknown[])[i])) return;
+  if (Array.isArray(wanted) && wanted[1] !== chosen.value) forgetLines();
   wanted = next;
   void start();
 });

@@ -19,4 +19,5 @@ export const app: Words["app"] = {
   cancel: "Abbrechen",
   dismiss: "Schließen",
   skip: "Zur Bühne springen",
+  space: "Leertaste",
 };

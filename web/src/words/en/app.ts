@@ -17,4 +17,5 @@ export const app = {
   cancel: "Cancel",
   dismiss: "Dismiss",
   skip: "Skip to the stage",
+  space: "Space",
 };
