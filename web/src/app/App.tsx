@@ -6,6 +6,7 @@ import { PlayPanel } from "../play/PlayPanel";
 import { Transport } from "../play/Transport";
 import { PredictBar } from "../predict/PredictBar";
 import { PredictPanel } from "../predict/PredictPanel";
+import { RaceBar } from "../race/RaceBar";
 import { RacePanel } from "../race/RacePanel";
 import { SeePanel } from "../see/SeePanel";
 import { mode } from "../state/mode";
@@ -17,7 +18,7 @@ import { useShortcuts } from "./shortcuts";
 import "./app.css";
 
 const panels = { play: PlayPanel, predict: PredictPanel, race: RacePanel, mesh: MeshPanel };
-const bars = { play: Transport, predict: PredictBar, race: Transport, mesh: null };
+const bars = { play: Transport, predict: PredictBar, race: RaceBar, mesh: null };
 
 export function App() {
   useShortcuts();

@@ -2,6 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import { game } from "../predict/overlay";
+import { RaceStages } from "../race/RaceStages";
 import { marks } from "../see/marks";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
@@ -47,5 +48,6 @@ const drawn = computed(() =>
 );
 
 export function Stages() {
+  if (mode.value === "race") return <RaceStages camera={camera} whole={whole} source={source} />;
   return <Stage scene={scene} overlays={drawn} camera={camera} whole={whole} source={source} />;
 }

@@ -18,11 +18,12 @@ export function Timeline() {
   const length = useComputed(() => run.value?.length ?? 0);
 
   useEffect(() => {
+    const [element, picture] = [box.current!, canvas.current!];
     const observer = new ResizeObserver(() => {
-      width.value = box.current!.clientWidth;
+      width.value = element.clientWidth;
     });
-    observer.observe(box.current!);
-    const stop = paint(() => draw(canvas.current!, width.value));
+    observer.observe(element);
+    const stop = paint(() => draw(picture, width.value));
     return () => {
       observer.disconnect();
       stop();

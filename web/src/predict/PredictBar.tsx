@@ -1,5 +1,6 @@
 // What is below the stage in the game: the question, the answers to choose from, and the verdict.
 
+import { useEffect, useRef } from "preact/hooks";
 import { modeShortcuts } from "../app/shortcuts";
 import { run } from "../state/play";
 import {
@@ -21,8 +22,16 @@ import "./predict.css";
 
 export function PredictBar() {
   const say = words.value.predict;
+  const bar = useRef<HTMLElement>(null);
+  const isTold = answered.value !== null;
+  // Whoever answers by keyboard goes on there: the button that was pressed is gone.
+  useEffect(() => {
+    const wasLost = document.activeElement === document.body;
+    if (isTold) bar.current?.querySelector<HTMLElement>(".main")?.focus({ preventScroll: true });
+    else if (wasLost) bar.current?.focus({ preventScroll: true });
+  }, [isTold]);
   return (
-    <section class="predict-bar" aria-label={say.heading}>
+    <section class="predict-bar" aria-label={say.heading} ref={bar} tabIndex={-1}>
       <Message />
       <div class="predict-buttons">
         {isOver.value ? (

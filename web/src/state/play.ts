@@ -6,6 +6,7 @@ import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/pro
 import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, recipe } from "./drawing";
 import { work } from "./job";
+import { mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
 
@@ -33,6 +34,9 @@ export const isPlaying = signal(false);
 export const heading = signal<Direction>("next");
 export const speed = signal(8);
 
+/** What the run was made of: drawing, algorithm, options. */
+let wanted: unknown;
+
 // A new worker knows nothing.
 stage.onRestart(async (engine) => {
   if (drawing.peek()) await engine.drawings.make(recipe.peek());
@@ -44,13 +48,15 @@ stage.onRestart(async (engine) => {
 export async function start(at = 0): Promise<void> {
   isPlaying.value = false;
   run.value = null;
-  const [what, how] = [chosen.peek(), options.peek()];
+  const [what, how, asked] = [chosen.peek(), options.peek(), wanted];
   const made = await work(stage, "run", (engine, progress) => engine.players.run(SLOT, what, how, progress));
   batch(() => {
     run.value = made ?? null;
     frame.value = null;
     position.value = Math.min(at, made?.length ?? 0);
   });
+  // Cancelled, perhaps by other work: whoever comes back to play gets it.
+  if (!made && wanted === asked) wanted = undefined;
 }
 
 /** Goes to a position, which may lie outside of the run. */
@@ -93,10 +99,10 @@ export async function jumpToStop(direction: Direction): Promise<void> {
 export const askRun = <T>(question: (players: Engine["players"], slot: number) => Promise<T>): Promise<T> =>
   stage.ask((engine) => question(engine.players, SLOT));
 
-// A drawing or an algorithm that changes makes another run.
-let wanted: unknown;
+// A drawing or an algorithm that changes makes another run; in a race, not before somebody comes back.
 effect(() => {
   const next = [drawing.value, chosen.value, options.value];
+  if (mode.value === "race") return;
   if (!drawing.value || algorithms.value.length === 0) return;
   if (Array.isArray(wanted) && next.every((part, i) => part === (wanted as unknown[])[i])) return;
   if (Array.isArray(wanted) && wanted[1] !== chosen.value) forgetLines();
