@@ -57,33 +57,31 @@ export function Transport() {
 function Buttons({ length }: { length: number }) {
   const say = words.value.play;
   const at = position.value;
-  const [isForth, isBack] = (["next", "previous"] as const).map(
-    (way) => isPlaying.value && heading.value === way,
-  );
+  const isOn = isPlaying.value;
   return (
     <div class="transport-main">
       <Button label={say.first} keys="Home" isOff={at === 0} act={() => go(0)}>
         <FirstIcon />
       </Button>
       <Button
-        label={isBack ? say.pause : say.playBackwards}
+        label={say.playBackwards}
         keys={`⇧ ${words.value.app.space}`}
         isOff={length === 0}
         act={() => togglePlaying("previous")}
       >
-        {isBack ? <PauseIcon /> : <BackwardsIcon />}
+        <BackwardsIcon />
       </Button>
       <Button label={say.previous} keys="←" isOff={at === 0} act={() => step(-1)}>
         <StepBackIcon />
       </Button>
       <Button
-        label={isForth ? say.pause : say.play}
+        label={isOn ? say.pause : say.play}
         keys={words.value.app.space}
         isOff={length === 0}
-        act={() => togglePlaying("next")}
+        act={() => togglePlaying(isOn ? heading.value : "next")}
         isMain
       >
-        {isForth ? <PauseIcon /> : <PlayIcon />}
+        {isOn ? <PauseIcon /> : <PlayIcon />}
       </Button>
       <Button label={say.next} keys="→" isOff={at === length} act={() => step(1)}>
         <StepIcon />

@@ -6,7 +6,7 @@ import { Button } from "../play/Button";
 import "../play/transport.css";
 import { type Clock, clocks } from "../engine/protocol";
 import { amount, clock, duration, full, goTo, isRacing, lanes, setClock, toggleRace } from "../state/race";
-import { number, words } from "../words";
+import { count, number, words } from "../words";
 
 /** The slider has so many places. */
 const PLACES = 1000;
@@ -35,8 +35,8 @@ keys.set("ArrowLeft", () => nudge(-1));
 export function RaceBar() {
   const say = words.value.race;
   const isOff = lanes.value.length === 0;
-  const used = number(amount.value, 3);
-  const told = say.amounts[clock.value](used, number(full.value, 3));
+  const write = clock.value === "milliseconds" ? (ms: number) => number(ms, 3) : count;
+  const told = say.amounts[clock.value](write(whole(amount.value)), write(whole(full.value)));
   return (
     <section class="transport" aria-label={say.bar}>
       <input
@@ -74,6 +74,9 @@ export function RaceBar() {
     </section>
   );
 }
+
+// Tests and steps come whole.
+const whole = (used: number) => (clock.value === "milliseconds" ? used : Math.floor(used));
 
 function Settings() {
   const say = words.value.race;

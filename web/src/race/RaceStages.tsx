@@ -98,10 +98,20 @@ function LaneHead({ lane: { frame, run }, place }: { lane: Lane; place: number }
         )}
       </h3>
       <progress value={shown?.position ?? 0} max={Math.max(1, run.length)} aria-label={say.position} />
-      <p class="figure quiet">
-        {count(done?.steps ?? 0)} {say.lane.steps} · {count(done ? testsOf(done) : 0)} {say.lane.tests} ·{" "}
-        {count(done?.flips ?? 0)} {say.lane.flips}
-      </p>
+      <dl class="figure">
+        <div>
+          <dt>{say.lane.tests}</dt>
+          <dd>{count(done ? testsOf(done) : 0)}</dd>
+        </div>
+        <div>
+          <dt>{say.lane.steps}</dt>
+          <dd>{count(done?.steps ?? 0)}</dd>
+        </div>
+        <div>
+          <dt>{say.lane.flips}</dt>
+          <dd>{count(done?.flips ?? 0)}</dd>
+        </div>
+      </dl>
     </header>
   );
 }

@@ -5,11 +5,11 @@ import { testsOf } from "./racing";
 
 /** The numbers of a row; null where there are none. */
 export const columns = {
-  steps: ({ measured }: Entry) => measured?.tally.steps ?? null,
   tests: ({ measured }: Entry) => (measured ? testsOf(measured.tally) : null),
+  steps: ({ measured }: Entry) => measured?.tally.steps ?? null,
+  flips: ({ measured }: Entry) => measured?.tally.flips ?? null,
   orientationTests: ({ measured }: Entry) => measured?.tally.orientationTests ?? null,
   circleTests: ({ measured }: Entry) => measured?.tally.circleTests ?? null,
-  flips: ({ measured }: Entry) => measured?.tally.flips ?? null,
   trianglesCreated: ({ measured }: Entry) => measured?.tally.trianglesCreated ?? null,
   milliseconds: ({ measured }: Entry) => measured?.milliseconds ?? null,
 } as const;
