@@ -11,7 +11,7 @@ import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, recipe } from "../state/drawing";
 import { mesh } from "../state/mesh";
 import { mode } from "../state/mode";
-import { frame, run } from "../state/play";
+import { frame } from "../state/play";
 
 const camera = signal<Camera | null>(null);
 
@@ -30,8 +30,7 @@ const whole = computed(() => drawing.value?.points ?? emptyScene.points);
 const source = computed(() => drawing.value && recipe.peek().source);
 
 function ofRun(): StageScene | null {
-  // The run before is gone before its last frame is.
-  if (!run.value || !frame.value) return null;
+  if (!frame.value) return null;
   const { points, edges, locked, triangles } = frame.value;
   return { points, edges, locked, triangles, values: null, hasDots: true };
 }

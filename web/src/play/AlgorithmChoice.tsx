@@ -4,6 +4,7 @@ import type { Algorithm } from "../engine/protocol";
 import { algorithm, algorithms, chosen } from "../state/play";
 import { words } from "../words";
 import { AlgorithmOptions } from "./AlgorithmOptions";
+import { described, titleOf } from "./described";
 
 export function AlgorithmChoice() {
   const say = words.value.play;
@@ -37,29 +38,28 @@ export function AlgorithmList() {
         .filter((each) => each.takes === takes)
         .map(({ name, title }) => (
           <option key={name} value={name}>
-            {titled(title)}
+            {titleOf(name, title)}
           </option>
         ))}
     </optgroup>
   ));
 }
 
-/** Writes a title as the beginning of a line. */
-export const titled = (title: string): string => title.charAt(0).toUpperCase() + title.slice(1);
-
 function About({ of }: { of: Algorithm }) {
   const say = words.value.play;
+  const told = described(of);
   return (
     <details class="fold">
       <summary>{say.about}</summary>
-      {/* What the library says of its algorithms is English. */}
-      <dl class="about" lang="en">
-        {(["idea", "cost", "guarantees", "source"] as const).map((part) => (
+      <dl class="about" lang={told.isEnglish ? "en" : undefined}>
+        {(["idea", "cost", "guarantees"] as const).map((part) => (
           <div key={part}>
             <dt>{say[part]}</dt>
-            <dd>{of[part]}</dd>
+            <dd>{told[part]}</dd>
           </div>
         ))}
+        <dt>{say.source}</dt>
+        <dd lang="en">{of.source}</dd>
       </dl>
       <a href={`guide/${of.name}.html`} target="_blank" rel="noopener">
         {say.guide}

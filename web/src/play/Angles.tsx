@@ -65,7 +65,12 @@ function Histogram() {
   const most = Math.max(1, ...counts);
   return (
     <figure class="angles">
-      <svg role="img" aria-label={say.said(count(total), count(below))} viewBox="0 0 60 24">
+      <svg
+        role="img"
+        aria-label={say.said(count(total), count(below))}
+        viewBox="0 0 60 24"
+        preserveAspectRatio="none"
+      >
         {counts.map((value, degree) => (
           <rect
             key={degree}

@@ -17,6 +17,7 @@ import { Button } from "./Button";
 import "./clock";
 import { Jumps } from "./Jumps";
 import { go, step, togglePlaying } from "./keys";
+import { Legend } from "./Legend";
 import { Speed } from "./Speed";
 import { Timeline } from "./Timeline";
 import "./transport.css";
@@ -34,6 +35,7 @@ export function Transport() {
         <span class="figure transport-at" style={{ minWidth: `${written}ch` }}>
           {say.of(count(position.value), count(length))}
         </span>
+        <Legend />
         <button
           type="button"
           class="transport-fold"

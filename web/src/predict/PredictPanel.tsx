@@ -1,7 +1,8 @@
 // The guessing game: its rules, how hard it is, and the score.
 
-import { AlgorithmChoice, titled } from "../play/AlgorithmChoice";
+import { AlgorithmChoice } from "../play/AlgorithmChoice";
 import { Code } from "../play/Code";
+import { titleOf } from "../play/described";
 import { algorithms, chosen, run } from "../state/play";
 import { difficulty, score } from "../state/predict";
 import { count, words } from "../words";
@@ -88,7 +89,7 @@ function Others() {
               chosen.value = name;
             }}
           >
-            {titled(title)}
+            {titleOf(name, title)}
           </button>
         ))}
       </div>

@@ -2,7 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import { CheckIcon } from "../app/icons";
-import { titled } from "../play/AlgorithmChoice";
+import { titleOf } from "../play/described";
 import { compare, type Entry, entries, isComparing, libraryHash, MOST_POINTS } from "../state/compare";
 import { drawing } from "../state/drawing";
 import { notify, tell } from "../state/notices";
@@ -13,7 +13,8 @@ export function Compare() {
   const say = words.value.race.compare;
   const isTooLarge = (drawing.value?.about.points ?? 0) > MOST_POINTS;
   const order = useSignal<Order>({ by: "tests", isDown: false });
-  const rows = sorted(entries.value, order.value);
+  const titled = entries.value.map((entry) => ({ ...entry, title: titleOf(entry.name, entry.title) }));
+  const rows = sorted(titled, order.value);
   return (
     <section aria-labelledby="compare-heading">
       <h2 id="compare-heading">{say.heading}</h2>
@@ -75,7 +76,7 @@ function Row({ of }: { of: Entry }) {
   return (
     <tr>
       <th scope="row" title={of.error || (isSame ? say.same : say.other)}>
-        {titled(of.title)}
+        {of.title}
         {isSame && (
           <span class="same" role="img" aria-label={say.same}>
             <CheckIcon />

@@ -1,7 +1,8 @@
 // Several algorithms beside each other: who, how it ended, and all of them in a table.
 
 import { CheckIcon, RemoveIcon } from "../app/icons";
-import { AlgorithmList, titled } from "../play/AlgorithmChoice";
+import { AlgorithmList } from "../play/AlgorithmChoice";
+import { titleOf } from "../play/described";
 import "../play/play.css";
 import { algorithms } from "../state/play";
 import { clock, isFinished, lanes, racers } from "../state/race";
@@ -91,7 +92,7 @@ function Result() {
           {ranked.map(({ slot, place, run, totals }) => (
             <tr key={slot}>
               <td class="figure">{say.finished(place)}</td>
-              <th scope="row">{titled(run.title)}</th>
+              <th scope="row">{titleOf(run.algorithm, run.title)}</th>
               <td class="figure">{count(testsOf(run.tally))}</td>
               <td class="figure">{count(run.tally.steps)}</td>
               <td class="figure">{totals.milliseconds === null ? "–" : number(totals.milliseconds, 3)}</td>

@@ -1,7 +1,7 @@
 // The stages of a race: one for each racer, with one camera.
 
 import { type ReadonlySignal, type Signal, useComputed } from "@preact/signals";
-import { titled } from "../play/AlgorithmChoice";
+import { titleOf } from "../play/described";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
@@ -66,7 +66,7 @@ function LaneStage({ lane, place, camera, whole, source }: Props & { lane: Lane;
     return drawn ? sceneOfDrawing(drawn.points, drawn.segments) : emptyScene;
   });
   const overlays = useComputed(() => [laneMarks(lane)]);
-  const description = useComputed(() => words.value.race.stage(titled(lane.run.title)));
+  const description = useComputed(() => words.value.race.stage(titleOf(lane.run.algorithm, lane.run.title)));
   return (
     <article class="lane">
       <LaneHead lane={lane} place={place} />
@@ -90,7 +90,7 @@ function LaneHead({ lane: { frame, run }, place }: { lane: Lane; place: number }
   return (
     <header class="lane-head">
       <h3>
-        {titled(run.title)}
+        {titleOf(run.algorithm, run.title)}
         {isThere && (
           <span class={place === 1 ? "medal first" : "medal"} title={say.finishedHint(place)}>
             {say.finished(place)}

@@ -3,7 +3,7 @@
 import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { stage } from "../engine/client";
 import { type Clock, clocks, type Frame, type Run } from "../engine/protocol";
-import { advance, fullTime, type Totals, usual } from "../race/racing";
+import { advance, fullTime, MOST, type Totals, usual } from "../race/racing";
 import { drawing } from "./drawing";
 import { work } from "./job";
 import { mode } from "./mode";
@@ -83,6 +83,7 @@ export async function lineUp(): Promise<void> {
   });
   const made = await work(stage, "run", async (engine, progress) => {
     const all: Lane[] = [];
+    await engine.players.close(MOST);
     for (const [i, name] of names.entries()) {
       const slot = i + 1;
       const run = await engine.players.run(slot, name, how, progress);

@@ -1,10 +1,12 @@
 // Playing an algorithm.
 
 import type { Words } from "..";
+import { algorithms } from "./algorithms";
 
 export const play: Words["play"] = {
   heading: "Algorithmus",
   algorithm: "Algorithmus",
+  algorithms,
   takes: {
     points: "Für Punkte",
     triangulation: "Für eine Triangulierung",

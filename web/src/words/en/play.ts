@@ -1,8 +1,18 @@
 // Playing an algorithm.
 
+/** What a language says of an algorithm by itself; nothing where the library says it. */
+interface Described {
+  title: string;
+  idea: string;
+  cost: string;
+  guarantees: string;
+}
+
 export const play = {
   heading: "Algorithm",
   algorithm: "Algorithm",
+  /** By the name of the algorithm. */
+  algorithms: {} as Record<string, Described>,
   takes: {
     points: "For points",
     triangulation: "For a triangulation",
