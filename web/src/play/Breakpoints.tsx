@@ -3,7 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { NextIcon, PreviousIcon, RemoveIcon } from "../app/icons";
 import { addBreakpoint, breakpoints, removeBreakpoint, switchBreakpoint } from "../state/breakpoints";
-import { position, run } from "../state/play";
+import { position, shownRun } from "../state/play";
 import { words } from "../words";
 import { Button } from "./Button";
 import { sayCondition } from "./conditions";
@@ -60,7 +60,7 @@ function List() {
         <Button
           label={say.next}
           keys="B"
-          isOff={position.value === (run.value?.length ?? 0)}
+          isOff={position.value === (shownRun.value?.length ?? 0)}
           act={() => jumpTo("next", "breakpoint")}
         >
           <NextIcon />

@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { type CurveName, curves, type Run } from "../engine/protocol";
 import { tell } from "../state/notices";
-import { askRun, frame, position, run } from "../state/play";
+import { askRun, frame, position, run, shownRun } from "../state/play";
 import { number, words } from "../words";
 import { extent, pathOf, type Samples, valueAt } from "./chart";
 import { go } from "./keys";
@@ -37,16 +37,16 @@ export function Curves() {
     if (of && loaded.peek().of !== of) void load(of);
   }, [of]);
   const say = words.value.play.curves;
-  const length = of?.length ?? 0;
+  // Those of the run before stay until there are others.
+  const there = shownRun.value ? loaded.value : null;
   return (
     <details class="fold" open>
       <summary>{say.heading}</summary>
       <div class="charts" title={say.hint}>
-        {loaded.value.of === of &&
-          loaded.value.curves.map(([name, samples]) => (
-            <Chart key={name} name={name} samples={samples} length={length} />
-          ))}
-        {loaded.value.of === of && of && loaded.value.curves.length === 0 && <p class="quiet">{say.none}</p>}
+        {there?.curves.map(([name, samples]) => (
+          <Chart key={name} name={name} samples={samples} length={there.of?.length ?? 0} />
+        ))}
+        {there?.of && there.curves.length === 0 && <p class="quiet">{say.none}</p>}
       </div>
     </details>
   );

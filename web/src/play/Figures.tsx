@@ -5,7 +5,7 @@ import { CheckIcon } from "../app/icons";
 import type { Tally } from "../engine/protocol";
 import { drawing } from "../state/drawing";
 import { tell } from "../state/notices";
-import { algorithm, askRun, frame, run } from "../state/play";
+import { algorithm, askRun, frame, run, shownRun } from "../state/play";
 import { count, words } from "../words";
 
 const rows = [
@@ -31,7 +31,7 @@ const libraryHash = signal<string | null>(null);
 
 effect(() => {
   const [of, drawn] = [run.value, drawing.peek()];
-  libraryHash.value = null;
+  if (of) libraryHash.value = null;
   if (!of || !drawn || !algorithm.peek()?.delaunay || drawn.about.points > MOST) return;
   askRun((players) => players.libraryHash()).then((hash) => {
     if (run.peek() === of) libraryHash.value = hash;
@@ -40,7 +40,7 @@ effect(() => {
 
 export function Figures() {
   const say = words.value.play.figures;
-  const total = run.value?.tally;
+  const total = shownRun.value?.tally;
   if (!total) return null;
   const here = frame.value?.tally;
   return (
@@ -73,7 +73,7 @@ export function Figures() {
 
 function Result() {
   const say = words.value.play.figures;
-  const hash = run.value?.hash ?? "";
+  const hash = shownRun.value?.hash ?? "";
   return (
     <p class="result" title={say.hashHint}>
       {say.hash} <code>{hash}</code>

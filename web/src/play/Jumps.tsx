@@ -2,7 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import { NextIcon, PreviousIcon } from "../app/icons";
-import { position, run } from "../state/play";
+import { position, shownRun } from "../state/play";
 import { words } from "../words";
 import { Button } from "./Button";
 import { type Jump, jumps, jumpTo } from "./keys";
@@ -38,7 +38,7 @@ export function Jumps() {
       <Button
         label={say.jumpNext(name)}
         keys={kind.value === "change" ? "⇧ →" : key}
-        isOff={position.value === (run.value?.length ?? 0)}
+        isOff={position.value === (shownRun.value?.length ?? 0)}
         act={() => jumpTo("next", kind.value)}
       >
         <NextIcon />

@@ -1,7 +1,7 @@
 // What has just been done, in a sentence. It is read out while one can listen: not while the run plays fast.
 
 import { stopped } from "../state/breakpoints";
-import { frame, heading, isPlaying, position, run, speed } from "../state/play";
+import { frame, heading, isPlaying, position, shownRun, speed } from "../state/play";
 import { words } from "../words";
 import { sayCondition } from "./conditions";
 
@@ -13,7 +13,7 @@ export function Narration() {
   const shown = frame.value;
   const isFast = isPlaying.value && speed.value > LISTENING;
   const here = stopped.value?.position === position.value ? stopped.value : null;
-  const isEnd = shown !== null && shown.position > 0 && shown.position === run.value?.length;
+  const isEnd = shown !== null && shown.position > 0 && shown.position === shownRun.value?.length;
   return (
     <section class="narration" aria-live={isFast ? "off" : "polite"} data-way={heading.value}>
       <p>{shown?.narration || say.begin}</p>

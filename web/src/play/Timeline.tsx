@@ -3,7 +3,7 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { paint } from "../stage/paint";
-import { position, run, seek } from "../state/play";
+import { position, seek, shownRun } from "../state/play";
 import { theme } from "../state/settings";
 import { count, words } from "../words";
 import { drawStrip, type Strip } from "./drawStrip";
@@ -15,7 +15,7 @@ export function Timeline() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const width = useSignal(0);
   const hovered = useSignal<number | null>(null);
-  const length = useComputed(() => run.value?.length ?? 0);
+  const length = useComputed(() => shownRun.value?.length ?? 0);
 
   useEffect(() => {
     const [element, picture] = [box.current!, canvas.current!];
@@ -78,7 +78,7 @@ function draw(canvas: HTMLCanvasElement, width: number): void {
   const context = canvas.getContext("2d")!;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   drawStrip(context, width, height, {
-    length: run.value?.length ?? 0,
+    length: shownRun.value?.length ?? 0,
     position: position.value,
     moments: moments.value,
     ticks: ticks.value,

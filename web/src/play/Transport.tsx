@@ -11,7 +11,7 @@ import {
   StepBackIcon,
   StepIcon,
 } from "../app/icons";
-import { heading, isPlaying, position, run } from "../state/play";
+import { heading, isPlaying, position, shownRun } from "../state/play";
 import { count, words } from "../words";
 import { Button } from "./Button";
 import "./clock";
@@ -24,7 +24,7 @@ import "./transport.css";
 
 export function Transport() {
   const say = words.value.play;
-  const length = run.value?.length ?? 0;
+  const length = shownRun.value?.length ?? 0;
   const isOpen = useSignal(false);
   const written = say.of(count(length), count(length)).length;
   return (

@@ -4,7 +4,7 @@ import { effect, signal } from "@preact/signals";
 import type { Run } from "../engine/protocol";
 import { active } from "../state/breakpoints";
 import { tell } from "../state/notices";
-import { askRun, run } from "../state/play";
+import { askRun, run, shownRun } from "../state/play";
 
 /** Into how many stretches a run is divided. */
 const STRETCHES = 400;
@@ -25,9 +25,9 @@ export const moments = signal<Partial<Record<MomentKind, Uint32Array>>>({});
 export const ticks = signal<number[]>([]);
 
 effect(() => {
-  const of = run.value;
-  moments.value = {};
-  if (of && of.length > 0) void count(of);
+  // Those of the run before stay until there are others.
+  if (!shownRun.value) moments.value = {};
+  else if (run.value) void count(run.value);
 });
 
 effect(() => {
@@ -45,11 +45,12 @@ effect(() => {
 
 async function count(of: Run): Promise<void> {
   try {
+    const found: typeof moments.value = {};
     for (const kind of momentKinds) {
-      const counts = await askRun((players, slot) => players.moments(slot, kind, STRETCHES));
+      found[kind] = await askRun((players, slot) => players.moments(slot, kind, STRETCHES));
       if (run.peek() !== of) return;
-      moments.value = { ...moments.peek(), [kind]: counts };
     }
+    moments.value = found;
   } catch (error) {
     tell(error);
   }

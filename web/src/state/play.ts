@@ -5,7 +5,8 @@ import { type Engine, stage } from "../engine/client";
 import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/protocol";
 import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, recipe } from "./drawing";
-import { work } from "./job";
+import { follow } from "./follow";
+import { isDrawing, work } from "./job";
 import { mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
@@ -25,6 +26,9 @@ export const algorithm = computed(() => algorithms.value.find((each) => each.nam
 /** The run; null while there is none. */
 export const run = signal<Run | null>(null);
 
+/** The run; while another one is made, the one before: so that panels do not flicker. */
+export const shownRun = signal<Run | null>(null);
+
 /** Where it is to stand, and the scene that is shown: on its way there, a step behind at most. */
 export const position = signal(0);
 export const frame = signal<Frame | null>(null);
@@ -34,9 +38,6 @@ export const isPlaying = signal(false);
 export const heading = signal<Direction>("next");
 export const speed = signal(8);
 
-/** What the run was made of: drawing, algorithm, options. */
-let wanted: unknown;
-
 // A new worker knows nothing.
 stage.onRestart(async (engine) => {
   if (drawing.peek()) await engine.drawings.make(recipe.peek());
@@ -44,19 +45,25 @@ stage.onRestart(async (engine) => {
   if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
 });
 
-/** Runs the chosen algorithm on the drawing, and stands at `at`. */
+/** Runs the chosen algorithm on the drawing, and stands at `at`, or at the end if that is nearer. */
 export async function start(at = 0): Promise<void> {
+  const asked = follower.accept();
   isPlaying.value = false;
   run.value = null;
-  const [what, how, asked] = [chosen.peek(), options.peek(), wanted];
-  const made = await work(stage, "run", (engine, progress) => engine.players.run(SLOT, what, how, progress));
+  const [what, how, said] = [chosen.peek(), options.peek(), language.peek()];
+  const made = await work(stage, "run", async (engine, progress) => {
+    const run = await engine.players.run(SLOT, what, how, progress);
+    const place = Math.min(at, run.length);
+    return { run, frame: await engine.players.frame(SLOT, place, said) };
+  });
   batch(() => {
-    run.value = made ?? null;
-    frame.value = null;
-    position.value = Math.min(at, made?.length ?? 0);
+    run.value = made?.run ?? null;
+    shownRun.value = run.value;
+    frame.value = made?.frame ?? null;
+    position.value = made?.frame.position ?? 0;
   });
   // Cancelled, perhaps by other work: whoever comes back to play gets it.
-  if (!made && wanted === asked) wanted = undefined;
+  if (!made) follower.forget(asked);
 }
 
 /** Goes to a position, which may lie outside of the run. */
@@ -100,14 +107,29 @@ export const askRun = <T>(question: (players: Engine["players"], slot: number) =
   stage.ask((engine) => question(engine.players, SLOT));
 
 // A drawing or an algorithm that changes makes another run; in a race, not before somebody comes back.
+const follower = follow(
+  () =>
+    drawing.value && algorithms.value.length > 0 && mode.value !== "race"
+      ? [drawing.value, chosen.value, options.value]
+      : null,
+  isDrawing,
+  () => void start(place()),
+);
+
+// While a drawing is edited, or an option turned, the run stands where it stood: at its end, or so far.
+let shown: unknown[] = [];
+function place(): number {
+  const [before, now] = [shown, [recipe.peek().source, chosen.peek()]];
+  shown = now;
+  if (now.some((part, i) => part !== before[i])) return 0;
+  const last = frame.peek()?.position ?? 0;
+  return last > 0 && last === shownRun.peek()?.length ? Number.POSITIVE_INFINITY : last;
+}
+
+// Lines of another algorithm are others.
 effect(() => {
-  const next = [drawing.value, chosen.value, options.value];
-  if (mode.value === "race") return;
-  if (!drawing.value || algorithms.value.length === 0) return;
-  if (Array.isArray(wanted) && next.every((part, i) => part === (wanted as unknown[])[i])) return;
-  if (Array.isArray(wanted) && wanted[1] !== chosen.value) forgetLines();
-  wanted = next;
-  void start();
+  void chosen.value;
+  forgetLines();
 });
 
 // The scene follows the position: one question at a time, and then for where it stands by now.

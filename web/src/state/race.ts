@@ -5,7 +5,8 @@ import { stage } from "../engine/client";
 import { type Clock, clocks, type Frame, type Run } from "../engine/protocol";
 import { advance, fullTime, MOST, type Totals, usual } from "../race/racing";
 import { drawing } from "./drawing";
-import { work } from "./job";
+import { follow } from "./follow";
+import { isDrawing, work } from "./job";
 import { mode } from "./mode";
 import { tell } from "./notices";
 import { algorithms, options } from "./play";
@@ -66,15 +67,17 @@ export function toggleRace(): void {
   isRacing.value = !isRacing.value;
 }
 
-/** What the racers were run on, and who they are. */
-let wanted: unknown[] = [];
-
 /** Whether racers are being run. */
 export const isLiningUp = signal(false);
 
+/** Counts how often racers were called. */
+let call = 0;
+
 /** Runs all racers, one after the other, and lines them up. */
 export async function lineUp(): Promise<void> {
-  const [names, how, asked] = [racers.peek(), options.peek(), wanted];
+  const [names, how, asked] = [racers.peek(), options.peek(), follower.accept()];
+  call += 1;
+  const mine = call;
   batch(() => {
     isRacing.value = false;
     lanes.value = [];
@@ -93,27 +96,30 @@ export async function lineUp(): Promise<void> {
     }
     return all;
   });
-  if (wanted !== asked) return;
+  if (call !== mine) return;
   isLiningUp.value = false;
   lanes.value = made ?? [];
+  if (!made) follower.forget(asked);
 }
 
 // Whoever comes to race lines up; so does everybody when drawing or racers change.
+const follower = follow(
+  () =>
+    drawing.value && algorithms.value.length > 0 && mode.value === "race"
+      ? [drawing.value, racers.value, options.value]
+      : null,
+  isDrawing,
+  () => void lineUp(),
+);
+
 effect(() => {
-  const next = [drawing.value, racers.value, options.value];
-  if (mode.value !== "race" || !drawing.value || algorithms.value.length === 0) {
-    isRacing.value = false;
-    return;
-  }
-  if (next.every((part, i) => part === wanted[i])) return;
-  wanted = next;
-  void lineUp();
+  if (mode.value !== "race") isRacing.value = false;
 });
 
 // A new worker runs them again.
 stage.onRestart(async (engine) => {
   if (mode.peek() !== "race") {
-    wanted = [];
+    follower.forget(follower.accept());
     lanes.value = [];
   }
   for (const { slot, run } of lanes.peek()) await engine.players.run(slot, run.algorithm, options.peek());
