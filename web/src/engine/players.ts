@@ -148,7 +148,8 @@ export const players = {
     takeFiles(at(slot).save(name, JSON.stringify(options))),
 };
 
-function at(slot: number): Player {
+/** Returns the run in a slot. */
+export function at(slot: number): Player {
   const player = slots.get(slot);
   if (!player) throw new Error("bug: no run is here");
   return player;

@@ -36,7 +36,7 @@ function Line({ number, text, isRunning }: { number: number; text: string; isRun
       <button
         type="button"
         class="code-line"
-        aria-label={`${words.value.play.lineBreak(number)}: ${text.trim()}`}
+        title={words.value.play.lineBreak(number)}
         aria-pressed={isStop}
         onClick={() => toggleLine(number)}
       >

@@ -31,7 +31,7 @@ export function PredictBar() {
     else if (wasLost) bar.current?.focus({ preventScroll: true });
   }, [isTold]);
   return (
-    <section class="predict-bar" aria-label={say.heading} ref={bar} tabIndex={-1}>
+    <section class="predict-bar" aria-label={say.bar} ref={bar} tabIndex={-1}>
       <Message />
       <div class="predict-buttons">
         {isOver.value ? (
@@ -78,12 +78,7 @@ function Choices() {
       {difficulty.value === "three" && (
         <fieldset class="choices" aria-label={say.choices}>
           {guessable.value.map((quad, i) => (
-            <button
-              key={keyOf(quad.edge)}
-              type="button"
-              aria-label={say.choice(i + 1, keyOf(quad.edge))}
-              onClick={() => void guess(quad)}
-            >
+            <button key={keyOf(quad.edge)} type="button" onClick={() => void guess(quad)}>
               <kbd>{i + 1}</kbd>
               {keyOf(quad.edge)}
             </button>

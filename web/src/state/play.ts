@@ -7,12 +7,12 @@ import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, recipe } from "./drawing";
 import { follow } from "./follow";
 import { isDrawing, work } from "./job";
-import { mode } from "./mode";
+import { type Mode, mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
 
 /** The slot of the run on the stage; races use those from 1 on. */
-const SLOT = 0;
+export const SLOT = 0;
 
 /** All algorithms that can be played. */
 export const algorithms = signal<Algorithm[]>([]);
@@ -106,10 +106,11 @@ export async function jumpToStop(direction: Direction): Promise<void> {
 export const askRun = <T>(question: (players: Engine["players"], slot: number) => Promise<T>): Promise<T> =>
   stage.ask((engine) => question(engine.players, SLOT));
 
-// A drawing or an algorithm that changes makes another run; in a race, not before somebody comes back.
+// A drawing or an algorithm that changes makes another run; where nobody watches one, not before somebody comes back.
+const watched: Mode[] = ["play", "predict"];
 const follower = follow(
   () =>
-    drawing.value && algorithms.value.length > 0 && mode.value !== "race"
+    drawing.value && algorithms.value.length > 0 && watched.includes(mode.value)
       ? [drawing.value, chosen.value, options.value]
       : null,
   isDrawing,
@@ -121,7 +122,10 @@ let shown: unknown[] = [];
 function place(): number {
   const [before, now] = [shown, [recipe.peek().source, chosen.peek()]];
   shown = now;
-  if (now.some((part, i) => part !== before[i])) return 0;
+  if (now.some((part, i) => part !== before[i])) {
+    frame.value = null;
+    return 0;
+  }
   const last = frame.peek()?.position ?? 0;
   return last > 0 && last === shownRun.peek()?.length ? Number.POSITIVE_INFINITY : last;
 }

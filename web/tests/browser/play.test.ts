@@ -82,7 +82,7 @@ test("a run plays backwards to its beginning", async () => {
 test("a breakpoint on a line stops there, every time it begins to run", async () => {
   const page = await open();
   await hurry(page);
-  await page.getByRole("button", { name: /Breakpoint on line 4/ }).click();
+  await page.getByTitle("Breakpoint on line 4").click();
   await play(page).click();
   await page.getByText("Stopped: line 4 runs").waitFor();
   await paused(page);
@@ -93,7 +93,7 @@ test("a breakpoint on a line stops there, every time it begins to run", async ()
   await page.keyboard.press("Shift+B");
   await expect.poll(() => at(page)).toBe(first);
   // Once it is gone, nothing stops.
-  await page.getByRole("button", { name: /Breakpoint on line 4/ }).click();
+  await page.getByTitle("Breakpoint on line 4").click();
   await play(page).click();
   await page.getByText("This was the last step.").waitFor();
   expect(theatre.complaints).toEqual([]);
@@ -129,5 +129,22 @@ test("figures are those of the position, and the result is the library's", async
   await expect
     .poll(async () => Number.parseInt((await angles.getAttribute("aria-label")) ?? "", 10))
     .toBeGreaterThan(40);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("while a seed is turned, the run stays at its end", async () => {
+  const page = await theatre.visit();
+  await page.getByRole("combobox", { name: "Algorithm" }).selectOption("random-incremental");
+  await page.locator(".code").getByText("shuffle").waitFor();
+  await page.keyboard.press("End");
+  await page.getByText("This was the last step.").waitFor();
+  const before = await end(page);
+  await page.getByRole("button", { name: "Another seed" }).last().click();
+  await expect.poll(() => end(page)).not.toBe(before);
+  await page.getByText("This was the last step.").waitFor();
+  expect(await at(page)).toBe(await end(page));
+  // Another drawing begins at its beginning.
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("grid");
+  await page.getByText("Before the first step.").waitFor();
   expect(theatre.complaints).toEqual([]);
 });

@@ -13,7 +13,7 @@ export const predict: Words["predict"] = {
     all: "Welche Kante wird als nächste gekippt? Anklicken, oder mit den Pfeiltasten und der Eingabetaste wählen.",
   },
   loading: "Die nächste Kippung wird gesucht …",
-  choice: (number, edge) => `${number}: Kante ${edge}`,
+  bar: "Die Frage",
   choices: "Kanten zur Auswahl",
   hint: "Hinweis",
   hintHint: "Die Kanten zeigen, die nicht lokal Delaunay sind",

@@ -3,7 +3,6 @@
 import type { Words } from "..";
 
 export const race: Words["race"] = {
-  heading: "Rennen",
   racers: "Wer antritt",
   racer: (lane) => `Bahn ${lane}`,
   add: "Ein dritter dazu",
@@ -29,7 +28,7 @@ export const race: Words["race"] = {
   seconds: (seconds) => `${seconds} s`,
   bar: "Das Rennen",
   stage: (title) => `Die Bühne von: ${title}`,
-  lane: { steps: "Schritte", tests: "Tests", flips: "Kippungen", triangles: "Dreiecke" },
+  lane: { steps: "Schritte", tests: "Tests", flips: "Kippungen" },
   finished: (place) => `${place}.`,
   finishedHint: (place) => `am Ziel, Platz ${place}`,
   lineUp: "Aufstellen",

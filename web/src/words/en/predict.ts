@@ -11,7 +11,7 @@ export const predict = {
     all: "Which edge is flipped next? Click on it; or choose with the arrow keys, and Enter.",
   },
   loading: "Looking for the next flip …",
-  choice: (number: number, edge: string) => `${number}: edge ${edge}`,
+  bar: "The question",
   choices: "Edges to choose from",
   hint: "Hint",
   hintHint: "Show the edges that are not locally Delaunay",

@@ -1,7 +1,6 @@
 // Races.
 
 export const race = {
-  heading: "Race",
   racers: "Who races",
   racer: (lane: number) => `Racer ${lane}`,
   add: "Add a third",
@@ -26,7 +25,7 @@ export const race = {
   seconds: (seconds: string) => `${seconds} s`,
   bar: "The race",
   stage: (title: string) => `The stage of: ${title}`,
-  lane: { steps: "steps", tests: "tests", flips: "flips", triangles: "triangles" },
+  lane: { steps: "steps", tests: "tests", flips: "flips" },
   finished: (place: number) => `${place}.`,
   finishedHint: (place: number) => `finished as number ${place}`,
   lineUp: "Line up",
