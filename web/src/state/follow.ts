@@ -15,16 +15,17 @@ export interface Follower {
 /** Calls `act` soon after a value has changed that `read` lists; while `isBusy`, not before that is over. */
 export function follow(read: () => Values, isBusy: ReadonlySignal<boolean>, act: () => void): Follower {
   let known: Values = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let isDue = false;
   const check = () => {
-    timer = undefined;
+    isDue = false;
     const now = untracked(read);
     const isKnown = now?.every((value, i) => value === known?.[i]) ?? true;
     if (!isKnown && !isBusy.peek()) act();
   };
   effect(() => {
     void [read(), isBusy.value];
-    timer ??= setTimeout(check);
+    if (!isDue) setTimeout(check);
+    isDue = true;
   });
   return {
     accept() {
