@@ -5,10 +5,7 @@ import { batch, effect } from "@preact/signals";
 import { active, type Stopped, stopped } from "../state/breakpoints";
 import { tell } from "../state/notices";
 import { heading, isPlaying, nextStop, position, run, seek, speed } from "../state/play";
-import { advance, rate } from "./pace";
-
-/** After a longer pause, as of a page in the background, playing goes on as if it had been this long. */
-const LONGEST = 250;
+import { advance, rate, secondsBetween } from "./pace";
 
 effect(() => {
   if (!isPlaying.value) return;
@@ -34,7 +31,7 @@ effect(() => {
   };
   let [last, rest, request] = [performance.now(), 0, 0];
   const tick = (now: number) => {
-    const passed = Math.min(now - last, LONGEST) / 1000;
+    const passed = secondsBetween(last, now);
     last = now;
     request = requestAnimationFrame(tick);
     // Somebody else may have moved the run meanwhile.

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { advance, FASTEST, placeOf, rate, speedAt } from "./pace";
+import { advance, FASTEST, placeOf, rate, secondsBetween, speedAt } from "./pace";
 
 test("the slider is logarithmic, and its end means as fast as it goes", () => {
   expect(speedAt(0)).toBe(0.5);
@@ -15,6 +15,12 @@ test("as fast as it goes ends soon", () => {
   expect(rate(8, 10)).toBe(8);
   expect(rate(Number.POSITIVE_INFINITY, 10)).toBe(20_000);
   expect(5_000_000 / rate(Number.POSITIVE_INFINITY, 5_000_000)).toBe(4);
+});
+
+test("time passes forwards, and pauses are short", () => {
+  expect(secondsBetween(1000, 1016)).toBeCloseTo(0.016);
+  expect(secondsBetween(1000, 990)).toBe(0);
+  expect(secondsBetween(1000, 9000)).toBe(0.25);
 });
 
 test("playing ends at the ends, and at stops on the way", () => {

@@ -27,6 +27,13 @@ export function placeOf(speed: number): number {
 export const rate = (speed: number, length: number): number =>
   speed === Number.POSITIVE_INFINITY ? Math.max(2 * FAST, length / SECONDS) : speed;
 
+/** After a longer pause, as of a page in the background, playing goes on as if it had been this long. */
+const LONGEST = 250;
+
+/** Returns how many seconds have passed between two frames; a frame may be dated before what has begun during it. */
+export const secondsBetween = (last: number, now: number): number =>
+  Math.max(0, Math.min(now - last, LONGEST)) / 1000;
+
 /** Where playing comes to: it goes on, is at the end, or has been stopped on its way. */
 export interface Advance {
   to: number;

@@ -3,6 +3,7 @@
 import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { stage } from "../engine/client";
 import { type Clock, clocks, type Frame, type Run } from "../engine/protocol";
+import { secondsBetween } from "../play/pace";
 import { advance, fullTime, MOST, type Totals, usual } from "../race/racing";
 import { drawing } from "./drawing";
 import { follow } from "./follow";
@@ -163,7 +164,7 @@ effect(() => {
   if (!isRacing.value) return;
   let [last, request] = [performance.now(), 0];
   const tick = (now: number) => {
-    amount.value = advance(amount.peek(), full.peek(), Math.min(now - last, 250) / 1000, duration.peek());
+    amount.value = advance(amount.peek(), full.peek(), secondsBetween(last, now), duration.peek());
     last = now;
     if (isFinished.peek()) isRacing.value = false;
     else request = requestAnimationFrame(tick);
