@@ -154,7 +154,7 @@ impl Race {
             let claims = |a: &Algorithm| a.about().is_delaunay && a.about().takes != Takes::Domain;
             all.extend(Algorithm::ALL.iter().copied().filter(claims));
         }
-        if let Some(refines) = all.iter().find(|&&a| a == Algorithm::Thesis) {
+        if let Some(refines) = all.iter().find(|a| a.refines()) {
             let name = refines.about().name;
             let other = format!("`{name}` refines a domain, and cannot race on points");
             return Err(Failure::Usage(other));

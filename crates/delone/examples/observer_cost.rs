@@ -5,7 +5,7 @@
 //! The first rows are the proof that who does not observe pays nothing: divide and conquer with `()` is
 //! the builder itself.
 
-use delone::classic::{Algorithm, Input, Takes};
+use delone::classic::{Algorithm, Input};
 use delone::{Delaunay, Log, Observer, Point, Step, Tally};
 use delone_testkit::generate::Kind;
 use std::time::{Duration, Instant};
@@ -29,8 +29,8 @@ fn main() {
     );
     for &algorithm in Algorithm::ALL {
         let about = algorithm.about();
-        if about.takes == Takes::Domain && about.is_delaunay {
-            continue; // Refinement: it needs a domain.
+        if algorithm.refines() {
+            continue; // It needs a domain.
         }
         let steps = observe(algorithm, &input, Tally::default()).steps;
         let unobserved = fastest(|| algorithm.run(&input));

@@ -1,6 +1,10 @@
 // The page: its head, the drawing on the left, the stage in the middle, what is done with it on the right.
 
 import { DrawingPanel } from "../drawing/DrawingPanel";
+import { Toolbar, ToolHint } from "../drawing/Toolbar";
+import { DropZone } from "../files/DropZone";
+import { PasteDialog } from "../files/PasteDialog";
+import { SaveDialog } from "../files/SaveDialog";
 import { MeshPanel } from "../mesh/MeshPanel";
 import { PlayPanel } from "../play/PlayPanel";
 import { Transport } from "../play/Transport";
@@ -33,6 +37,8 @@ export function App() {
       </aside>
       <main class="middle" id="stage" tabIndex={-1}>
         <Stages />
+        <Toolbar />
+        <ToolHint />
         <Jobs />
         <Notices />
         {Bar && <Bar />}
@@ -40,6 +46,9 @@ export function App() {
       <aside class="work">
         <Panel />
       </aside>
+      <DropZone />
+      <PasteDialog />
+      <SaveDialog />
     </div>
   );
 }

@@ -1,5 +1,6 @@
 // The head of the page: what to do, and how the page looks.
 
+import { LinkButton } from "../files/LinkButton";
 import { type Mode, mode, modes } from "../state/mode";
 import { language, type Theme, theme } from "../state/settings";
 import { words } from "../words";
@@ -19,6 +20,7 @@ export function Header() {
           <ModeButton key={each} of={each} />
         ))}
       </nav>
+      <LinkButton />
       <label>
         <span class="quiet">{say.language}</span>
         <select

@@ -1,14 +1,26 @@
 // What has gone wrong, over the stage, until it is dismissed.
 
+import { boxOfMarks } from "../drawing/troubles";
+import { lookAt } from "../stage/attention";
 import { dismiss, notices } from "../state/notices";
 import { words } from "../words";
 
 export function Notices() {
   return (
     <div class="notices" aria-live="polite">
-      {notices.value.map(({ id, tone, text }) => (
+      {notices.value.map(({ id, tone, text, marks, action }) => (
         <div key={id} class={`notice ${tone}`} role={tone === "error" ? "alert" : "status"}>
           <span>{text}</span>
+          {boxOfMarks(marks) && (
+            <button type="button" onClick={() => lookAt(boxOfMarks(marks)!)}>
+              {words.value.app.show}
+            </button>
+          )}
+          {action && (
+            <button type="button" onClick={action.run}>
+              {words.value.app.actions[action.name]}
+            </button>
+          )}
           <button type="button" aria-label={words.value.app.dismiss} onClick={() => dismiss(id)}>
             ×
           </button>

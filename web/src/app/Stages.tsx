@@ -1,6 +1,7 @@
 // The stage, or the stages, that the mode has.
 
 import { computed, signal } from "@preact/signals";
+import { drawn } from "../drawing/drawn";
 import { game } from "../predict/overlay";
 import { RaceStages } from "../race/RaceStages";
 import { marks } from "../see/marks";
@@ -8,15 +9,16 @@ import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
-import { drawing, recipe } from "../state/drawing";
+import { drawing, source } from "../state/drawing";
 import { mesh } from "../state/mesh";
 import { mode } from "../state/mode";
 import { frame } from "../state/play";
 
-const camera = signal<Camera | null>(null);
+/** Which part of the plane the stage shows; null: all that was drawn. */
+export const camera = signal<Camera | null>(null);
 
 /** What the stage shows: a mesh, a run, or the bare drawing. */
-const scene = computed<StageScene>(() => {
+export const scene = computed<StageScene>(() => {
   const drawn = drawing.value;
   if (!drawn) return emptyScene;
   const bare = sceneOfDrawing(drawn.points, drawn.segments);
@@ -24,10 +26,7 @@ const scene = computed<StageScene>(() => {
 });
 
 /** What `fit` brings into view: all that was drawn. */
-const whole = computed(() => drawing.value?.points ?? emptyScene.points);
-
-/** What the drawing comes from; while it is only edited the view stays. */
-const source = computed(() => drawing.value && recipe.peek().source);
+export const whole = computed(() => drawing.value?.points ?? emptyScene.points);
 
 function ofRun(): StageScene | null {
   if (!frame.value) return null;
@@ -41,12 +40,15 @@ function ofMesh(): StageScene | null {
   return { points, edges, locked: null, triangles, values: null, hasDots: false };
 }
 
-/** In the game marks would tell too much. */
-const drawn = computed(() =>
-  mode.value === "predict" ? [...overlays.value.filter((each) => each !== marks), game] : overlays.value,
-);
+/** What is drawn over the scene: what explains it, and the drawing that is being edited. In the game marks would tell
+ * too much. */
+export const above = computed(() => {
+  const isGame = mode.value === "predict";
+  const explaining = isGame ? overlays.value.filter((each) => each !== marks) : overlays.value;
+  return [...explaining, drawn, ...(isGame ? [game] : [])];
+});
 
 export function Stages() {
   if (mode.value === "race") return <RaceStages camera={camera} whole={whole} source={source} />;
-  return <Stage scene={scene} overlays={drawn} camera={camera} whole={whole} source={source} />;
+  return <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />;
 }

@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { stage } from "../engine/client";
-import { open, recipe } from "../state/drawing";
+import { beginLink } from "../state/link";
 import { tell } from "../state/notices";
 import { algorithms } from "../state/play";
 import { language, theme } from "../state/settings";
@@ -17,7 +17,7 @@ export async function begin(): Promise<void> {
   });
   try {
     algorithms.value = await stage.ask((engine) => engine.players.algorithms());
-    await open(recipe.peek().source);
+    await beginLink();
   } catch (error) {
     tell(error);
   }

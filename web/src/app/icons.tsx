@@ -41,6 +41,109 @@ export const FitIcon = () => (
   </Icon>
 );
 
+/** A hand that moves the view: arrows to four sides. */
+export const ViewIcon = () => (
+  <Icon>
+    <path d="M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3" />
+  </Icon>
+);
+
+/** A point, and one that is added. */
+export const PointsIcon = () => (
+  <Icon>
+    <circle cx="7" cy="16" r="3" fill="currentColor" />
+    <path d="M17 4v8M13 8h8" />
+  </Icon>
+);
+
+/** A segment between two points. */
+export const SegmentsIcon = () => (
+  <Icon>
+    <path d="M7 17 17 7" />
+    <circle cx="5" cy="19" r="2.5" />
+    <circle cx="19" cy="5" r="2.5" />
+  </Icon>
+);
+
+/** A cross in a ring. */
+export const HolesIcon = () => (
+  <Icon>
+    <circle cx="12" cy="12" r="9" />
+    <path d="m9 9 6 6M15 9l-6 6" />
+  </Icon>
+);
+
+/** An eraser. */
+export const EraseIcon = () => (
+  <Icon>
+    <path d="M8 20h12M5.5 17.5l-2-2a2 2 0 0 1 0-2.8l9-9a2 2 0 0 1 2.8 0l5 5a2 2 0 0 1 0 2.8L12.5 19.5H7.5zM9 7l8 8" />
+  </Icon>
+);
+
+/** An arrow that turns back. */
+export const UndoIcon = () => (
+  <Icon>
+    <path d="M4 9h10a6 6 0 0 1 0 12H9M8 5 4 9l4 4" />
+  </Icon>
+);
+
+/** An arrow that turns forward. */
+export const RedoIcon = () => (
+  <Icon>
+    <path d="M20 9H10a6 6 0 0 0 0 12h5M16 5l4 4-4 4" />
+  </Icon>
+);
+
+/** A bin. */
+export const ClearIcon = () => (
+  <Icon>
+    <path d="M4 7h16M9 7V4h6v3M6 7l1 14h10l1-14M10 11v6M14 11v6" />
+  </Icon>
+);
+
+/** A sheet with a folded corner. */
+export const EmptyIcon = () => (
+  <Icon>
+    <path d="M6 3h8l5 5v13H6zM14 3v5h5" />
+  </Icon>
+);
+
+/** A die. */
+export const DiceIcon = () => (
+  <Icon>
+    <rect x="4" y="4" width="16" height="16" rx="3" />
+    <path d="M8.5 8.5h.01M15.5 8.5h.01M12 12h.01M8.5 15.5h.01M15.5 15.5h.01" />
+  </Icon>
+);
+
+/** An open folder. */
+export const OpenIcon = () => (
+  <Icon>
+    <path d="M3 19V5h6l2 3h8v3M3 19l3-8h16l-3 8z" />
+  </Icon>
+);
+
+/** An arrow down into a tray. */
+export const SaveIcon = () => (
+  <Icon>
+    <path d="M12 3v12M7 10l5 5 5-5M4 17v4h16v-4" />
+  </Icon>
+);
+
+/** Two links of a chain. */
+export const LinkIcon = () => (
+  <Icon>
+    <path d="M10 14a4 4 0 0 0 6 .5l3-3a4.2 4.2 0 0 0-6-6l-1.5 1.5M14 10a4 4 0 0 0-6-.5l-3 3a4.2 4.2 0 0 0 6 6l1.5-1.5" />
+  </Icon>
+);
+
+/** A clipboard. */
+export const PasteIcon = () => (
+  <Icon>
+    <path d="M9 4h6v3H9zM9 5H5v16h14V5h-4" />
+  </Icon>
+);
+
 /** A filled shape, as players of films have them. */
 const icon = (shape: string) => () => (
   <svg class="icon" viewBox="0 0 16 16" width="16" height="16" fill="currentColor" aria-hidden="true">
@@ -61,9 +164,6 @@ export const MoreIcon = icon(
   "M1.5 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0zM6.4 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0zM11.3 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0z",
 );
 export const RestartIcon = icon("M8 2a6 6 0 1 1-5.7 4.1l1.9.6A4 4 0 1 0 8 4v2.6L3.8 3.2 8 0z");
-export const DiceIcon = icon(
-  "M3 1.5h10A1.5 1.5 0 0 1 14.5 3v10a1.5 1.5 0 0 1-1.5 1.5H3A1.5 1.5 0 0 1 1.5 13V3A1.5 1.5 0 0 1 3 1.5zM3 3v10h10V3zM4.2 5.4a1.2 1.2 0 1 1 2.4 0 1.2 1.2 0 0 1-2.4 0zM6.8 8a1.2 1.2 0 1 1 2.4 0 1.2 1.2 0 0 1-2.4 0zM9.4 10.6a1.2 1.2 0 1 1 2.4 0 1.2 1.2 0 0 1-2.4 0z",
-);
 export const RemoveIcon = icon(
   "M3.1 1.7L8 6.6l4.9-4.9 1.4 1.4L9.4 8l4.9 4.9-1.4 1.4L8 9.4l-4.9 4.9-1.4-1.4L6.6 8 1.7 3.1z",
 );

@@ -22,6 +22,8 @@ export function useShortcuts(): void {
 
 function press(event: KeyboardEvent): void {
   const { target, key } = event;
+  // A dialog has keys of its own.
+  if (document.querySelector("dialog[open]")) return;
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
   if (target instanceof HTMLElement && target.matches("input:not([type=range]), textarea, select")) return;
   // Buttons are pressed by these two.

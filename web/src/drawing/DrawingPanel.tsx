@@ -1,8 +1,12 @@
-// The drawing: which one, and what it consists of.
+// The drawing: which one, and what it consists of; others to begin with, to open, and to save.
 
-import { drawing } from "../state/drawing";
+import { EmptyIcon } from "../app/icons";
+import { FileButtons } from "../files/FileButtons";
+import { drawing, openEmpty } from "../state/drawing";
 import { number, words } from "../words";
+import { Exact } from "./Exact";
 import { Presets } from "./Presets";
+import "./drawing.css";
 
 export function DrawingPanel() {
   const say = words.value.drawing;
@@ -11,9 +15,19 @@ export function DrawingPanel() {
     <section aria-labelledby="drawing-heading">
       <h2 id="drawing-heading">{say.heading}</h2>
       <Presets />
+      <div class="buttons">
+        <button type="button" class="worded" onClick={() => void openEmpty()}>
+          <EmptyIcon />
+          {say.empty}
+        </button>
+        <FileButtons />
+      </div>
       {about && (
-        <p class="quiet">{say.summary(number(about.points), number(about.segments), number(about.holes))}</p>
+        <p class="quiet about">
+          {say.summary(number(about.points), number(about.segments), number(about.holes))}
+        </p>
       )}
+      <Exact />
     </section>
   );
 }

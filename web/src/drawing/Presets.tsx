@@ -2,13 +2,20 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { DiceIcon } from "../app/icons";
 import { stage } from "../engine/client";
 import type { Preset, Source } from "../engine/protocol";
-import { open, recipe } from "../state/drawing";
+import { open, source } from "../state/drawing";
 import { tell } from "../state/notices";
 import { words } from "../words";
+import { boundsOf, within } from "./bounds";
 
 type PresetSource = Extract<Source, { kind: "preset" }>;
+
+/** Seeds that the dice throws: few digits, to be told to others. */
+const SEEDS = 10_000;
+
+const kinds = ["points", "domain", "scene"] as const;
 
 export function Presets() {
   const presets = useSignal<Preset[]>([]);
@@ -20,41 +27,85 @@ export function Presets() {
       }, tell);
   }, [presets]);
   const say = words.value.drawing;
-  const { source } = recipe.value;
-  const now: PresetSource =
-    source.kind === "preset" ? source : { kind: "preset", name: "", count: 40, seed: 1 };
-  const choose = (change: Partial<PresetSource>) => void open({ ...now, ...change });
-  const isSized = presets.value.find(({ name }) => name === now.name)?.sized;
+  const now = source.value.kind === "preset" ? source.value : null;
+  const preset = presets.value.find(({ name }) => name === now?.name);
   return (
     <>
       <label class="field">
         {say.preset}
-        <select value={now.name} onChange={(event) => choose({ name: event.currentTarget.value })}>
-          {(["points", "domain", "scene"] as const).map((kind) => (
+        <select value={now?.name ?? ""} onChange={(event) => begin(presets.value, event.currentTarget.value)}>
+          {!now && <option value="">{say.chosen}</option>}
+          {kinds.map((kind) => (
             <optgroup key={kind} label={say.kinds[kind]}>
               {presets.value
-                .filter((preset) => preset.kind === kind)
+                .filter((each) => each.kind === kind)
                 .map(({ name }) => (
                   <option key={name} value={name}>
-                    {name}
+                    {say.presets[name]?.[0] ?? name}
                   </option>
                 ))}
             </optgroup>
           ))}
         </select>
       </label>
-      {isSized && (
-        <label class="field">
-          {say.count}
-          <input
-            type="number"
-            min="3"
-            max="2000000"
-            value={now.count}
-            onChange={(event) => choose({ count: event.currentTarget.valueAsNumber || now.count })}
-          />
-        </label>
-      )}
+      {preset && <p class="quiet about">{say.presets[preset.name]?.[1] ?? preset.about}</p>}
+      {preset?.sized && now && <Size of={preset} now={now} />}
     </>
+  );
+}
+
+/** Takes a preset, with as many points as suit it. */
+function begin(presets: Preset[], name: string): void {
+  const preset = presets.find((each) => each.name === name);
+  if (!preset) return;
+  const now = source.peek();
+  const seed = now.kind === "preset" ? now.seed : 1;
+  void open({ kind: "preset", name, count: boundsOf(preset).usual, seed });
+}
+
+function Size({ of, now }: { of: Preset; now: PresetSource }) {
+  const say = words.value.drawing;
+  const bounds = boundsOf(of);
+  const change = (part: Partial<PresetSource>) => void open({ ...now, ...part });
+  return (
+    <div class="size">
+      <label class="field">
+        {say.count[of.kind === "domain" ? "segments" : "points"]}
+        <input
+          type="number"
+          min={bounds.least}
+          max={bounds.most}
+          value={now.count}
+          onChange={({ currentTarget: field }) => {
+            const count = within(bounds, field.valueAsNumber);
+            field.value = String(count);
+            change({ count });
+          }}
+        />
+      </label>
+      <label class="field">
+        {say.seed}
+        <input
+          type="number"
+          min="0"
+          max="4294967295"
+          value={now.seed}
+          onChange={({ currentTarget: field }) => {
+            const seed = Math.min(0xffffffff, Math.max(0, Math.round(field.valueAsNumber || 0)));
+            field.value = String(seed);
+            change({ seed });
+          }}
+        />
+      </label>
+      <button
+        type="button"
+        class="tool"
+        aria-label={say.another}
+        title={say.another}
+        onClick={() => change({ seed: Math.floor(Math.random() * SEEDS) })}
+      >
+        <DiceIcon />
+      </button>
+    </div>
   );
 }

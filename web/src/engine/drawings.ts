@@ -1,9 +1,20 @@
 // The drawing, in the worker.
 
 import { transfer } from "comlink";
-import { Drawing } from "../wasm/delone.js";
+import { Drawing, fileKind, formats } from "../wasm/delone.js";
 import { takeFiles } from "./files";
-import type { DrawingAbout, DrawingData, NamedBytes, Preset, Recipe, SaveOptions, Source } from "./protocol";
+import type {
+  DrawingAbout,
+  DrawingData,
+  Edit,
+  FileKind,
+  Format,
+  NamedBytes,
+  Preset,
+  Recipe,
+  SaveOptions,
+  Source,
+} from "./protocol";
 
 let current: Drawing | undefined;
 
@@ -16,6 +27,12 @@ export function drawing(): Drawing {
 export const drawings = {
   presets: (): Preset[] => JSON.parse(Drawing.presets()),
 
+  /** Lists the kinds of files that can be read or written. */
+  formats: (): Format[] => JSON.parse(formats()),
+
+  /** Tells what a file may be opened as. */
+  kind: (file: NamedBytes): FileKind => fileKind(file.name, file.bytes) as FileKind,
+
   /** Makes the drawing of a recipe, which takes the place of the one before only if nothing is wrong with it. */
   make(recipe: Recipe): DrawingData {
     drawings.keep(recipe);
@@ -25,9 +42,15 @@ export const drawings = {
   /** The same, without showing it. */
   keep({ source, edits }: Recipe): void {
     const made = from(source);
-    if (edits.length > 0) throw new Error("drawings cannot be edited yet");
+    if (edits.length > 0) made.edit(JSON.stringify(edits));
     current?.free();
     current = made;
+  },
+
+  /** Changes the drawing; all of the edits are made, or none. */
+  edit(edits: Edit[]): DrawingData {
+    drawing().edit(JSON.stringify(edits));
+    return look(drawing());
   },
 
   /** Writes the drawing; the extension of the name tells the format. */
@@ -40,7 +63,10 @@ function from(source: Source): Drawing {
     case "preset":
       return Drawing.preset(source.name, source.count, source.seed);
     case "files":
-      return Drawing.fromFile(source.files[0].name, source.files[0].bytes);
+      return Drawing.fromFiles(
+        source.files.map(({ name }) => name),
+        source.files.map(({ bytes }) => bytes),
+      );
     case "lists":
       return new Drawing(source.points, source.segments, source.holes);
   }
@@ -49,5 +75,7 @@ function from(source: Source): Drawing {
 function look(made: Drawing): DrawingData {
   const about: DrawingAbout = JSON.parse(made.about());
   const [points, segments, holes] = [made.points(), made.segments(), made.holes()];
-  return transfer({ points, segments, holes, about }, [points.buffer, segments.buffer, holes.buffer]);
+  const regions = made.regions();
+  const buffers = [points, segments, holes, regions].map(({ buffer }) => buffer);
+  return transfer({ points, segments, holes, regions, about }, buffers);
 }

@@ -1,6 +1,7 @@
 // Files that leave the module.
 
 import { transfer } from "comlink";
+import { zipSync } from "fflate";
 import type { SavedFile } from "../wasm/delone.js";
 import type { NamedBytes } from "./protocol";
 
@@ -15,4 +16,10 @@ export function takeFiles(saved: SavedFile[]): NamedBytes[] {
     files,
     files.map((file) => file.bytes.buffer),
   );
+}
+
+/** Puts files into one. */
+export function zipped(name: string, files: NamedBytes[]): NamedBytes {
+  const bytes = zipSync(Object.fromEntries(files.map((file) => [file.name, file.bytes])));
+  return transfer({ name, bytes }, [bytes.buffer]);
 }

@@ -40,6 +40,8 @@ export interface DrawingData {
   points: Coordinates;
   segments: Indices;
   holes: Coordinates;
+  /** Four numbers each: a place in it, its attribute, and its largest area or NaN. */
+  regions: Float64Array;
   about: DrawingAbout;
 }
 
@@ -64,6 +66,37 @@ export interface Preset {
   kind: "points" | "domain" | "scene";
   /** Whether the number of points or segments can be chosen. */
   sized: boolean;
+}
+
+/** A kind of files, and what of it can be read and written. */
+export interface Format {
+  /** The usual one of `extensions`. */
+  extension: string;
+  extensions: string[];
+  what: string;
+  reads: boolean;
+  /** A drawing with segments can be written; one without. */
+  drawing: boolean;
+  points: boolean;
+  mesh: boolean;
+  /** A mesh of triangles with six nodes. */
+  quadratic: boolean;
+  cells: boolean;
+  report: boolean;
+  run: boolean;
+}
+
+/** What a file may be opened as. */
+export type FileKind = "drawing" | "log" | "unknown";
+
+/** Where trouble is, told along with an error: in the drawing that was worked on, or in a file. */
+export interface Marks {
+  places: Coordinates;
+  /** Numbers of segments and points. */
+  segments: Indices;
+  points: Indices;
+  /** The line of the file, from 1. */
+  line?: number | undefined;
 }
 
 /** What there is to say of an algorithm. */

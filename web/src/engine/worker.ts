@@ -4,8 +4,10 @@
 import { expose } from "comlink";
 import init, { version } from "../wasm/delone.js";
 import { drawings } from "./drawings";
+import { zipped } from "./files";
 import { meshes } from "./meshes";
 import { players } from "./players";
+import { carryMarks } from "./troubles";
 
 const worker = {
   /** Loads the compiled module; before everything else. */
@@ -16,9 +18,11 @@ const worker = {
   drawings,
   players,
   meshes,
+  zipped,
 };
 
 /** What the page may ask. */
 export type Worked = typeof worker;
 
+carryMarks();
 expose(worker);

@@ -11,7 +11,7 @@ export function Legend() {
     <ul class="legend quiet">
       {shown.map((kind) => (
         <li key={kind}>
-          <span class={`swatch ${kind}`} />
+          <span class={`swatch swatch-${kind}`} />
           {legend[kind]}
         </li>
       ))}

@@ -1,11 +1,12 @@
 // The stage: a canvas for the scene, and one above it for what is said about it.
 
-import { type ReadonlySignal, type Signal, signal } from "@preact/signals";
+import { type ReadonlySignal, type Signal, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useId, useMemo, useRef } from "preact/hooks";
 import { language, theme } from "../state/settings";
 import { words } from "../words";
+import { attention } from "./attention";
 import { Corner } from "./Corner";
-import type { Camera } from "./camera";
+import { type Camera, fit } from "./camera";
 import { listen } from "./gestures";
 import { press } from "./keys";
 import { paint } from "./paint";
@@ -51,6 +52,8 @@ export function Stage({ scene, overlays, camera, whole, source, description }: P
     [scene, overlays, view],
   );
 
+  useSignalEffect(() => attend(view));
+
   const say = words.value.stage;
   return (
     <div class="stage" ref={frame} lang={language.value}>
@@ -64,7 +67,7 @@ export function Stage({ scene, overlays, camera, whole, source, description }: P
         onKeyDown={(event) => press(event, view)}
       >
         <div ref={below} />
-        <canvas ref={above} style={{ cursor: tool.value?.cursor }} />
+        <canvas ref={above} style={{ cursor: tool.value?.cursor ?? "grab" }} />
       </div>
       <p id={keys} hidden>
         {say.keys}
@@ -73,6 +76,13 @@ export function Stage({ scene, overlays, camera, whole, source, description }: P
       <Corner camera={view.now} />
     </div>
   );
+}
+
+/** Looks where somebody asks to look. */
+function attend(view: View): void {
+  if (!attention.value) return;
+  view.glide(fit(attention.value, view.size.peek()));
+  attention.value = null;
 }
 
 /** Follows sizes, sources and gestures until the returned function is called. */

@@ -1,12 +1,15 @@
 // Pointers and wheels on the stage: first the tool in hand, then the view.
 
 import { hold, toPlane, zoom } from "./camera";
-import { type Place, pointer, type Tool, tool } from "./tool";
+import { clicked, type Place, pointer, type Tool, tool } from "./tool";
 import type { View } from "./view";
 
 /** How far a turn of the wheel zooms, and a double click. */
 const WHEEL = 0.0015;
 const DOUBLE = 2;
+
+/** How far a pointer may move, in pixels, and it still was a click. */
+const STILL = 5;
 
 interface Pixel {
   x: number;
@@ -44,8 +47,8 @@ class Gestures {
   private busy: Tool | null = null;
   /** The place of the plane that a single pointer holds. */
   private grabbed: [number, number] | null = null;
-  /** Whether a tool took the last click; then two of them are no double click. */
-  private isTaken = false;
+  /** Where a single pointer went down, as long as it may become a click. */
+  private pressed: Pixel | null = null;
 
   constructor(
     private readonly element: HTMLElement,
@@ -56,10 +59,13 @@ class Gestures {
     this.element.setPointerCapture(event.pointerId);
     this.held.set(event.pointerId, pixelOf(event));
     this.grabbed = null;
+    this.pressed = null;
     if (this.held.size > 1) this.cancel();
     else if (event.button === 0) {
-      this.isTaken = tool.value?.down(this.place(event)) ?? false;
-      if (this.isTaken) this.busy = tool.value;
+      // While somebody draws, the view is no longer fitted to what is drawn.
+      if (tool.value) this.view.set(this.view.now.peek());
+      if (tool.value?.down(this.place(event))) this.busy = tool.value;
+      else this.pressed = pixelOf(event);
     }
   }
 
@@ -68,17 +74,26 @@ class Gestures {
     pointer.value = { x: place.x, y: place.y, pixel: place.pixel };
     const before = this.held.get(event.pointerId);
     if (this.busy) this.busy.move?.(place);
-    else if (before) this.drag(event, before);
+    else if (before) this.dragFrom(event, before);
   }
 
   up(event: PointerEvent): void {
     this.release(event);
     this.busy?.up?.(this.place(event));
     this.busy = null;
+    if (this.pressed) this.click(this.place(event));
+    this.pressed = null;
+  }
+
+  /** The tool in hand draws by clicks; without one, whoever listens is told. */
+  private click(place: Place): void {
+    if (tool.value) tool.value.click?.(place);
+    else clicked.peek()?.(place);
   }
 
   lost(event: PointerEvent): void {
     this.release(event);
+    this.pressed = null;
     this.cancel();
   }
 
@@ -87,7 +102,7 @@ class Gestures {
   }
 
   double(event: MouseEvent): void {
-    if (!this.isTaken) this.view.zoomBy(event.shiftKey ? 1 / DOUBLE : DOUBLE, [event.offsetX, event.offsetY]);
+    if (!tool.value) this.view.zoomBy(event.shiftKey ? 1 / DOUBLE : DOUBLE, [event.offsetX, event.offsetY]);
   }
 
   wheel(event: WheelEvent): void {
@@ -102,6 +117,13 @@ class Gestures {
     const camera = this.view.now.peek();
     const [x, y] = toPlane(camera, this.view.size.peek(), event.offsetX, event.offsetY);
     return { x, y, pixel: 1 / camera.scale, event };
+  }
+
+  private dragFrom(event: PointerEvent, before: Pixel): void {
+    // A hand is never quite still.
+    if (this.pressed && gap(this.pressed, pixelOf(event)) <= STILL) return;
+    this.pressed = null;
+    this.drag(event, before);
   }
 
   private drag(event: PointerEvent, before: Pixel): void {

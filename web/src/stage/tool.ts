@@ -16,6 +16,8 @@ export interface Tool {
   readonly cursor: string;
   /** A pointer goes down; returns whether the gesture is the tool's. */
   down(place: Place): boolean;
+  /** A pointer went down, was not wanted, and comes up where it went down. */
+  click?(place: Place): void;
   move?(place: Place): void;
   up?(place: Place): void;
   /** The gesture is taken away. */
@@ -27,3 +29,6 @@ export const tool = signal<Tool | null>(null);
 
 /** Where the pointer is in the plane while it hovers over a stage; null elsewhere. */
 export const pointer = signal<{ x: number; y: number; pixel: number } | null>(null);
+
+/** Told of clicks on the stage while no tool is in hand; null: nobody. */
+export const clicked = signal<((place: Place) => void) | null>(null);

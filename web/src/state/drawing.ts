@@ -1,38 +1,102 @@
-// The drawing: the recipe by which it is made, and what came of it.
+// The drawing: the recipe by which it is made, what came of it, and how it was before.
 
-import { computed, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
 import { stage } from "../engine/client";
 import type { DrawingData, Edit, Recipe, Source } from "../engine/protocol";
 import { work } from "./job";
 
+/** How many states are kept to go back to; each is a list of edits that shares them with the next. */
+const MOST_STATES = 300;
+
+/** The drawing of a page that was opened without saying which. */
+export const usualSource: Source = { kind: "preset", name: "uniform", count: 40, seed: 1 };
+
 /** The recipe of the drawing that is shown. */
-export const recipe = signal<Recipe>({
-  source: { kind: "preset", name: "uniform", count: 40, seed: 1 },
-  edits: [],
-});
+export const recipe = signal<Recipe>({ source: usualSource, edits: [] });
+
+/** Where the drawing comes from; the same object as long as it is only edited. */
+export const source = computed(() => recipe.value.source);
 
 /** The drawing that is shown; null until the first one is there. */
 export const drawing = signal<DrawingData | null>(null);
 
 /** What people may call it: the name of a preset or of a file. */
-export const drawingName = computed(() => nameOf(recipe.value.source));
+export const drawingName = computed(() => nameOf(source.value));
+
+const past = signal<Recipe[]>([]);
+const future = signal<Recipe[]>([]);
+
+/** Whether there is something to take back, and something to do again. */
+export const canUndo = computed(() => past.value.length > 0);
+export const canRedo = computed(() => future.value.length > 0);
+
+// Whatever is done to the drawing is done in turn: what comes too early would end the worker at work on the last.
+let turn: Promise<unknown> = Promise.resolve();
+
+/** Does something once all that was asked for before is done. */
+export function inTurn<T>(next: () => Promise<T>): Promise<T> {
+  const mine = turn.then(next);
+  turn = mine.catch(() => {});
+  return mine;
+}
 
 /** Makes the drawing of a recipe and shows it; returns whether that went well. */
 export async function show(next: Recipe): Promise<boolean> {
-  const made = await work(stage, "draw", (engine) => engine.drawings.make(next));
-  if (!made) return false;
-  recipe.value = next;
-  drawing.value = made;
-  return true;
+  const before = drawing.peek() ? [...past.peek(), recipe.peek()] : [];
+  return put(next, before, []);
 }
 
 /** Begins with something else. */
 export const open = (source: Source): Promise<boolean> => show({ source, edits: [] });
 
+/** Begins with nothing. */
+export const openEmpty = (): Promise<boolean> =>
+  open({ kind: "lists", points: new Float64Array(), segments: new Uint32Array(), holes: new Float64Array() });
+
 /** Changes the drawing; all of the edits are made, or none. */
-export function edit(...edits: Edit[]): Promise<boolean> {
-  const { source, edits: before } = recipe.value;
-  return show({ source, edits: [...before, ...edits] });
+export const edit = (...edits: Edit[]): Promise<boolean> => inTurn(() => change(edits, false));
+
+/** Changes the drawing by an edit that takes the place of the last one: another position of what is dragged. */
+export const amend = (edit: Edit): Promise<boolean> => inTurn(() => change([edit], true));
+
+/** Takes the last change back. */
+export const undo = (): Promise<boolean> =>
+  inTurn(async () => {
+    const [states, now] = [past.peek(), recipe.peek()];
+    const last = states.at(-1);
+    return last !== undefined && put(last, states.slice(0, -1), [now, ...future.peek()]);
+  });
+
+/** Makes a change again that was taken back. */
+export const redo = (): Promise<boolean> =>
+  inTurn(async () => {
+    const [next, ...rest] = future.peek();
+    return next !== undefined && put(next, [...past.peek(), recipe.peek()], rest);
+  });
+
+async function put(next: Recipe, before: Recipe[], after: Recipe[]): Promise<boolean> {
+  const made = await work(stage, "draw", (engine) => engine.drawings.make(next));
+  if (made) set(next, made, before, after);
+  return made !== undefined;
+}
+
+async function change(edits: Edit[], takesPlace: boolean): Promise<boolean> {
+  const made = await work(stage, "draw", (engine) => engine.drawings.edit(edits));
+  if (!made) return false;
+  const { source, edits: before } = recipe.peek();
+  const kept = takesPlace ? before.slice(0, -1) : before;
+  const states = takesPlace ? past.peek() : [...past.peek(), recipe.peek()];
+  set({ source, edits: [...kept, ...edits] }, made, states, []);
+  return true;
+}
+
+function set(next: Recipe, made: DrawingData, before: Recipe[], after: Recipe[]): void {
+  batch(() => {
+    recipe.value = next;
+    drawing.value = made;
+    past.value = before.slice(-MOST_STATES);
+    future.value = after;
+  });
 }
 
 function nameOf(source: Source): string {

@@ -2,9 +2,9 @@
 
 import { batch, computed, effect, signal } from "@preact/signals";
 import { type Engine, stage } from "../engine/client";
-import type { Algorithm, Direction, Frame, Run, RunOptions } from "../engine/protocol";
+import type { Algorithm, Direction, Frame, NamedBytes, Run, RunOptions, Source } from "../engine/protocol";
 import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
-import { drawing, recipe } from "./drawing";
+import { drawing, open, recipe } from "./drawing";
 import { follow } from "./follow";
 import { isDrawing, work } from "./job";
 import { type Mode, mode } from "./mode";
@@ -38,32 +38,88 @@ export const isPlaying = signal(false);
 export const heading = signal<Direction>("next");
 export const speed = signal(8);
 
+/** The log that is played instead of a run that was made here. */
+let log: NamedBytes | null = null;
+
 // A new worker knows nothing.
 stage.onRestart(async (engine) => {
   if (drawing.peek()) await engine.drawings.make(recipe.peek());
   const lost = run.peek();
-  if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
+  if (lost && log) await engine.players.open(SLOT, log);
+  else if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
 });
+
+/** Counts how often a run was asked for. */
+let call = 0;
 
 /** Runs the chosen algorithm on the drawing, and stands at `at`, or at the end if that is nearer. */
 export async function start(at = 0): Promise<void> {
   const asked = follower.accept();
+  call += 1;
+  const mine = call;
   isPlaying.value = false;
   run.value = null;
+  log = null;
   const [what, how, said] = [chosen.peek(), options.peek(), language.peek()];
   const made = await work(stage, "run", async (engine, progress) => {
     const run = await engine.players.run(SLOT, what, how, progress);
     const place = Math.min(at, run.length);
     return { run, frame: await engine.players.frame(SLOT, place, said) };
   });
+  // Cancelled, perhaps by other work: whoever comes back to play gets it.
+  if (!made) follower.forget(asked);
+  // What is shown stays if there is more to come: another call, or another drawing.
+  if (!made && (call !== mine || isDrawing.peek())) return;
   batch(() => {
     run.value = made?.run ?? null;
     shownRun.value = run.value;
     frame.value = made?.frame ?? null;
     position.value = made?.frame.position ?? 0;
   });
-  // Cancelled, perhaps by other work: whoever comes back to play gets it.
-  if (!made) follower.forget(asked);
+}
+
+/** Whether the drawing of a log is being made: its run is there already. */
+const isAdopting = signal(false);
+
+/** Plays the log of a run, on a drawing of what it began with; returns whether that went well. */
+export async function playLog(file: NamedBytes): Promise<boolean> {
+  const made = await work(stage, "run", (engine) => engine.players.open(SLOT, file));
+  if (!made) return false;
+  isAdopting.value = true;
+  try {
+    if (!watched.includes(mode.peek())) mode.value = "play";
+    const frames = [0, made.length].map((at) =>
+      stage.ask((engine) => engine.players.frame(SLOT, at, language.peek())),
+    );
+    const [first, last] = await Promise.all(frames);
+    if (!(await open(beginningOf(first, last)))) return false;
+    if (algorithms.peek().some(({ name }) => name === made.algorithm)) chosen.value = made.algorithm;
+  } catch (error) {
+    tell(error);
+    return false;
+  } finally {
+    isAdopting.value = false;
+  }
+  log = file;
+  follower.accept();
+  batch(() => {
+    run.value = made;
+    shownRun.value = made;
+    frame.value = null;
+    position.value = 0;
+  });
+  return true;
+}
+
+/** Returns what a run began with: the points of its first scene, and the constraints between them of its last. */
+function beginningOf({ points }: Frame, { edges, locked }: Frame): Source {
+  const count = points.length / 2;
+  const segments: number[] = [];
+  for (let e = 0; e < edges.length; e += 2) {
+    const [a, b] = [edges[e], edges[e + 1]];
+    if (locked[e / 2] === 1 && a < count && b < count) segments.push(a, b);
+  }
+  return { kind: "lists", points, segments: Uint32Array.from(segments), holes: new Float64Array() };
 }
 
 /** Goes to a position, which may lie outside of the run. */
@@ -113,7 +169,7 @@ const follower = follow(
     drawing.value && algorithms.value.length > 0 && watched.includes(mode.value)
       ? [drawing.value, chosen.value, options.value]
       : null,
-  isDrawing,
+  computed(() => isDrawing.value || isAdopting.value),
   () => void start(place()),
 );
 

@@ -2,7 +2,7 @@
 
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { type Browser, type BrowserContext, chromium, type Page } from "playwright-core";
+import { type Browser, chromium, type Page } from "playwright-core";
 import { type PreviewServer, preview } from "vite";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -42,14 +42,19 @@ export class Theatre {
     return new Theatre(address, server, browser);
   }
 
-  /** Opens the page anew; `hash` is a deep link, `options` are those of Playwright's contexts. */
-  async visit(hash = "", options: Parameters<Browser["newContext"]>[0] = {}): Promise<Page> {
+  /** Opens the page anew; `hash` is a deep link, `options` are those of Playwright's contexts; `before` prepares it. */
+  async visit(
+    hash = "",
+    options: Parameters<Browser["newContext"]>[0] = {},
+    before: (page: Page) => Promise<void> = async () => {},
+  ): Promise<Page> {
     const context = await this.browser.newContext({ locale: "en", ...options });
-    return this.watch(context, hash);
+    const page = await context.newPage();
+    await before(page);
+    return this.watch(page, hash);
   }
 
-  private async watch(context: BrowserContext, hash: string): Promise<Page> {
-    const page = await context.newPage();
+  private async watch(page: Page, hash: string): Promise<Page> {
     page.on("console", (message) => {
       // Reading a canvas back, as taking a screenshot does, is slow without a graphics processor; Chromium says so.
       if (message.text().includes("GPU stall due to ReadPixels")) return;

@@ -265,7 +265,7 @@ test("moving over a hundred thousand triangles uploads nothing", async () => {
   const count = page.getByLabel("Number of points");
   await count.fill("50000");
   await count.press("Tab");
-  await page.getByText("50,000 points").waitFor();
+  await page.getByText("Points: 50,000").waitFor();
   await page.getByLabel("What to build").selectOption("triangulate");
   await page.getByRole("button", { name: "Mesh it" }).click();
   await page.getByText("Triangles", { exact: true }).waitFor();

@@ -34,11 +34,11 @@ pub struct Given {
     /// Seed of random orders
     #[arg(long, value_name = "SEED", default_value_t = 0, help_heading = None)]
     seed: u64,
-    /// For `thesis`: no edge longer than this
+    /// For algorithms that refine: no edge longer than this
     #[arg(long, value_name = "LENGTH", help_heading = None, value_parser = positive,
           allow_negative_numbers = true)]
     max_edge: Option<f64>,
-    /// For `thesis`: no angle smaller than this, in degrees
+    /// For algorithms that refine: no angle smaller than this, in degrees
     #[arg(long, value_name = "DEG", help_heading = None, value_parser = angle,
           allow_negative_numbers = true)]
     min_angle: Option<f64>,
@@ -114,8 +114,10 @@ impl Given {
     fn require_use(&self, algorithm: Algorithm) -> Result<(), Failure> {
         let About { name, takes, .. } = algorithm.about();
         let is_bounded = self.max_edge.is_some() || self.min_angle.is_some();
-        let idle = if is_bounded && algorithm != Algorithm::Thesis {
-            format!("--max-edge and --min-angle are for `thesis`; `{name}` knows no bounds")
+        let idle = if is_bounded && !algorithm.refines() {
+            format!(
+                "--max-edge and --min-angle are for `thesis` and `refinement`; `{name}` knows no bounds"
+            )
         } else if self.data_per_triangle.is_some() && *takes != Takes::Data {
             format!("--data-per-triangle is for algorithms that cover data; `{name}` does not")
         } else if self.domain.is_some() && is_bare(*takes) {
@@ -152,7 +154,10 @@ impl Given {
         // Without any, what the thesis' own example asks for.
         let given = |bound: Option<f64>, usual| if is_bounded { bound } else { Some(usual) };
         Quality {
-            max_edge: given(self.max_edge, 3.0).filter(|_| algorithm == Algorithm::Thesis),
+            max_edge: match algorithm {
+                Algorithm::Thesis => given(self.max_edge, 3.0),
+                _ => self.max_edge,
+            },
             min_angle: given(self.min_angle, 20.0).map(Angle::degrees),
             ..Quality::default()
         }

@@ -22,7 +22,7 @@ use std::path::Path;
 type Strip = (Algorithm, fn() -> Input<'static>, &'static str);
 
 /// The strips, one for each algorithm.
-const STRIPS: [Strip; 18] = [
+const STRIPS: [Strip; 20] = [
     (
         Algorithm::Sweep,
         outline,
@@ -131,6 +131,18 @@ const STRIPS: [Strip; 18] = [
         "1 set-divided, 1 tangent-found, 2 triangle-created, 2 tangent-found, 2 edge-deleted, \
          1 triangle-created, 4 triangle-created",
     ),
+    (
+        Algorithm::Constrained,
+        bay,
+        "1 segment-considered, 3 walk-stepped, 1 edge-created, 3 triangle-created, 1 edge-locked, \
+         1 edge-flipped, 3 triangle-visited",
+    ),
+    (
+        Algorithm::Refinement,
+        plate,
+        "1 circumcenter-proposed, 1 circumcenter-rejected, 3 triangle-created, 1 circumcenter-proposed, \
+         1 edge-deleted, 4 triangle-created, 1 circumcenter-rejected",
+    ),
 ];
 
 /// Strips that show one part of an algorithm, with the names of their pictures.
@@ -181,6 +193,52 @@ fn outline() -> Input<'static> {
         quality: Quality {
             min_angle: Some(Angle::degrees(20.0)),
             max_edge: Some(3.0),
+            ..Quality::default()
+        },
+        ..Input::from_pslg(pslg)
+    }
+}
+
+/// An outline with a bay, and a segment that crosses much.
+fn bay() -> Input<'static> {
+    let corners = [
+        (0, 0),
+        (90, 5),
+        (100, 70),
+        (64, 60),
+        (50, 44),
+        (36, 62),
+        (4, 68),
+    ];
+    let inner = [
+        (14, 30),
+        (24, 12),
+        (40, 10),
+        (62, 16),
+        (78, 24),
+        (88, 40),
+        (30, 40),
+        (74, 48),
+    ];
+    let all = corners.into_iter().chain(inner);
+    let mut pslg = Pslg::from_points(all.map(|(x, y)| (f64::from(x), f64::from(y))));
+    pslg.add_ring(0..7);
+    pslg.add_segment(7, 12);
+    Input {
+        domain: DomainRule::Carve,
+        ..Input::from_pslg(pslg)
+    }
+}
+
+/// The same outline, to be meshed.
+fn plate() -> Input<'static> {
+    let mut pslg = bay().pslg;
+    pslg.points.truncate(7);
+    pslg.segments.truncate(7);
+    Input {
+        domain: DomainRule::Carve,
+        quality: Quality {
+            min_angle: Some(Angle::degrees(30.0)),
             ..Quality::default()
         },
         ..Input::from_pslg(pslg)

@@ -53,8 +53,8 @@ pub(super) fn words(event: Event) -> &'static str {
         Event::TangentFound { .. } => "the lower common tangent",
         Event::Encroached { .. } => "a vertex lies too close to a segment",
         Event::SegmentSplit { .. } => "an edge is divided",
-        Event::CircumcenterProposed { .. } => "a circumcenter is proposed",
-        Event::CircumcenterRejected { .. } => "the circumcenter is rejected",
+        Event::CircumcenterProposed { .. } => "a place for a vertex is proposed",
+        Event::CircumcenterRejected { .. } => "that place is rejected",
         Event::CoverAccepted { .. } => "every triangle holds enough data",
         Event::CoverRejected { .. } => "this triangle holds too few data",
         Event::OuterReduced { edge: Some(_) } => "the outer polygon loses an edge",
@@ -111,12 +111,16 @@ fn failed(failure: Failure) -> &'static str {
 
 fn ended(stage: Stage) -> &'static str {
     match stage {
+        Stage::Triangulation => "done: the points are triangulated",
         Stage::SplitEdges => "done: segments are divided",
         Stage::Sweep => "done: the sweep",
         Stage::StripHelpers => "done: helper points are removed",
         Stage::InsertSegments => "done: segments are inserted",
         Stage::InsideTest => "done: the domain is cut out",
         Stage::Flips => "done: flips",
+        Stage::Lattice => "done: a lattice is sown",
+        Stage::Refinement => "done: refinement",
+        Stage::Smoothing => "done: smoothing",
         Stage::ShortenEdges => "done: long edges are bisected",
         Stage::OpenTriangles => "done: skinny triangles are opened",
         Stage::Repair => "done: repairs",

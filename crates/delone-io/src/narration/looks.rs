@@ -165,15 +165,15 @@ fn refined(event: Event) -> Option<Sentence> {
         ),
         Event::CircumcenterProposed { triangle, at } => Sentence::new(
             [
-                "Triangle {0} is to be opened at its circumcenter, {1}.",
-                "Dreieck {0} soll in seinem Umkreismittelpunkt geöffnet werden, {1}.",
+                "Triangle {0} is to be opened by a vertex in its circle, at {1}.",
+                "Dreieck {0} soll durch einen Punkt in seinem Umkreis geöffnet werden, bei {1}.",
             ],
             [Triangle(triangle), Point(at)],
         ),
         Event::CircumcenterRejected { triangle, edge } => Sentence::new(
             [
-                "The circumcenter of {0} is rejected: edge {1} is divided instead.",
-                "Der Umkreismittelpunkt von {0} wird verworfen: Stattdessen wird Kante {1} geteilt.",
+                "The vertex in the circle of {0} is rejected: edge {1} is divided instead.",
+                "Der Punkt im Umkreis von {0} wird verworfen: Stattdessen wird Kante {1} geteilt.",
             ],
             [Triangle(triangle), Edge(edge)],
         ),
@@ -333,6 +333,10 @@ fn failed(failure: Failure) -> Option<Sentence> {
 
 fn ended(stage: Stage) -> [&'static str; 2] {
     match stage {
+        Stage::Triangulation => [
+            "Done: the points are triangulated.",
+            "Fertig: Die Punkte sind trianguliert.",
+        ],
         Stage::SplitEdges => [
             "Done: segments are divided.",
             "Fertig: Die Strecken sind geteilt.",
@@ -351,6 +355,18 @@ fn ended(stage: Stage) -> [&'static str; 2] {
             "Fertig: Das Gebiet ist ausgeschnitten.",
         ],
         Stage::Flips => ["Done: flips.", "Fertig: Es ist genug gekippt."],
+        Stage::Lattice => [
+            "Done: a lattice of vertices is sown.",
+            "Fertig: Ein Gitter von Punkten ist gesät.",
+        ],
+        Stage::Refinement => [
+            "Done: nothing bad is left that can be made better.",
+            "Fertig: Nichts Schlechtes ist übrig, das sich bessern ließe.",
+        ],
+        Stage::Smoothing => [
+            "Done: vertices have moved to better places.",
+            "Fertig: Die Punkte sind an bessere Stellen gerückt.",
+        ],
         Stage::ShortenEdges => [
             "Done: long edges are bisected.",
             "Fertig: Lange Kanten sind halbiert.",

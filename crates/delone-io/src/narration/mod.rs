@@ -74,7 +74,7 @@ mod tests {
     fn run(algorithm: Algorithm) -> Log {
         let points = (0..40).map(|i| (f64::from(i * 37 % 41), f64::from(i * i % 23)));
         let mut input = Input::from_points(points);
-        if algorithm == Algorithm::Thesis {
+        if algorithm.refines() {
             let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (0.0, 3.0)];
             input = Input::from_points(corners);
             input.pslg.add_ring([0, 1, 2, 3]);

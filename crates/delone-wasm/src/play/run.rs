@@ -72,7 +72,10 @@ fn input(about: &About, drawing: &Drawing, options: &Options) -> Input<'static> 
     let bound = |given: Option<f64>, usual| if is_bounded { given } else { Some(usual) };
     input.quality = Quality {
         min_angle: bound(options.min_angle, USUAL_ANGLE).map(Angle::degrees),
-        max_edge: bound(options.max_edge, USUAL_EDGE),
+        max_edge: match about == Algorithm::Thesis.about() {
+            true => bound(options.max_edge, USUAL_EDGE),
+            false => options.max_edge,
+        },
         ..Quality::default()
     };
     input

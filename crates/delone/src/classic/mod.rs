@@ -29,6 +29,7 @@ mod bounding;
 mod bowyer_watson;
 mod cline_renka;
 mod conflicts;
+mod constrained;
 mod convex_hull;
 mod covering;
 mod divide;
@@ -44,6 +45,7 @@ mod opening;
 mod output;
 mod printed_sweep;
 mod random_incremental;
+mod refinement;
 mod restoring;
 mod searching;
 mod segment_walk;
@@ -105,6 +107,10 @@ pub enum Algorithm {
     Fortune,
     /// For comparison: the divide and conquer that this library builds with.
     DivideAndConquer,
+    /// This library's insertion of segments, and its carving.
+    Constrained,
+    /// This library's refinement.
+    Refinement,
 }
 
 impl Algorithm {
@@ -128,6 +134,8 @@ impl Algorithm {
         Self::SweepCircle,
         Self::Fortune,
         Self::DivideAndConquer,
+        Self::Constrained,
+        Self::Refinement,
     ];
 
     /// Finds an algorithm by its [name](About::name).
@@ -157,7 +165,14 @@ impl Algorithm {
             Self::SweepCircle => &sweep_circle::ABOUT,
             Self::Fortune => &fortune::ABOUT,
             Self::DivideAndConquer => &divide::ABOUT,
+            Self::Constrained => &constrained::ABOUT,
+            Self::Refinement => &refinement::ABOUT,
         }
+    }
+
+    /// Tells whether it refines a domain: adds vertices until the mesh is as good as [`Input::quality`] asks.
+    pub fn refines(self) -> bool {
+        matches!(self, Self::Thesis | Self::Refinement)
     }
 
     /// Runs it, without being observed.
@@ -202,6 +217,8 @@ impl Algorithm {
             Self::SweepCircle => sweep_circle::run(input, observer),
             Self::Fortune => fortune::run(input, observer),
             Self::DivideAndConquer => divide::run(input, observer),
+            Self::Constrained => constrained::run(input, observer),
+            Self::Refinement => refinement::run(input, observer),
         }
     }
 }

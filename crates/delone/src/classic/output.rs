@@ -1,12 +1,16 @@
 //! What an algorithm hands out.
 
-use crate::{Duplicate, Failure, Point, TriangulationHash, VertexId, hash_triangles};
+use super::ascending;
+use crate::{
+    ConstrainedTriangulation, Duplicate, Failure, Point, TriangulationHash, VertexId,
+    hash_triangles,
+};
 
 /// Triangles, over the points of the input and those that were added.
 ///
 /// | field | filled by |
 /// |---|---|
-/// | `points`, `duplicates` | all; only [`Thesis`](super::Algorithm::Thesis) and those that take data add points |
+/// | `points`, `duplicates` | all; only those that [refine](super::Algorithm::refines) or take data add points |
 /// | `triangles` | all but [`ConvexHull`](super::Algorithm::ConvexHull) |
 /// | `constrained` | all that take segments |
 /// | `hull` | only `ConvexHull` |
@@ -28,6 +32,20 @@ pub struct Output {
 }
 
 impl Output {
+    /// Takes over what the engine has made of a domain.
+    pub(super) fn of_domain(mesh: &ConstrainedTriangulation) -> Self {
+        let mut constrained: Vec<_> = mesh.constrained_edges().map(ascending).collect();
+        constrained.sort_unstable();
+        let t = mesh.triangulation();
+        Self {
+            points: t.points().to_vec(),
+            triangles: t.triangles().to_vec(),
+            constrained,
+            duplicates: t.duplicates().to_vec(),
+            ..Self::default()
+        }
+    }
+
     /// Hashes the triangles, as [`Triangulation::hash`](crate::Triangulation::hash) does.
     pub fn hash(&self) -> TriangulationHash {
         let point = |v: VertexId| self.points[v.index()];

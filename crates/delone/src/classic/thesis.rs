@@ -10,9 +10,9 @@
 //! *Not done*: the first `edge_flip` of the whole mesh, which begins as the constrained Delaunay
 //! triangulation; [edge-flip](super::Algorithm::EdgeFlip) shows it.
 
-use super::{About, Input, Output, Takes};
-use crate::refine::{Refinement, Strategy, THESIS_CODE};
-use crate::{Budget, Error, Observer, Outcome};
+use super::{About, Input, Output, Takes, refinement};
+use crate::refine::{Strategy, THESIS_CODE};
+use crate::{Error, Observer};
 
 /// What there is to say of it.
 pub(super) const ABOUT: About = About {
@@ -28,39 +28,7 @@ pub(super) const ABOUT: About = About {
     code: THESIS_CODE,
 };
 
-/// Most vertices: what is studied is far smaller, and a bound that has lost a digit must not fill the memory.
-const MOST: usize = 2_000_000;
-
 /// Refines the domain up to the smallest angle and the longest edge of `input.quality`.
 pub(super) fn run(input: &Input, observer: &mut (impl Observer + Send)) -> Result<Output, Error> {
-    let refinement = Refinement::new(input.quality)
-        .strategy(Strategy::Thesis)
-        .domain(input.domain)
-        .threads(1)
-        .budget(Budget {
-            vertices: Some(MOST),
-            ..Budget::default()
-        })
-        .watch(input.watch);
-    let refined = refinement.observe(input.pslg.clone(), observer)?;
-    match refined.report.outcome {
-        Outcome::Cancelled => return Err(Error::Cancelled),
-        Outcome::BudgetExhausted => {
-            let (algorithm, limit) = (ABOUT.name, MOST);
-            return Err(Error::TooManyVertices { algorithm, limit });
-        }
-        _ => {}
-    }
-    let mesh = refined.mesh;
-    let constrained = mesh.constrained_edges().map(|[a, b]| [a.min(b), a.max(b)]);
-    let mut constrained: Vec<_> = constrained.collect();
-    constrained.sort_unstable();
-    let t = mesh.triangulation();
-    Ok(Output {
-        points: t.points().to_vec(),
-        triangles: t.triangles().to_vec(),
-        constrained,
-        duplicates: t.duplicates().to_vec(),
-        ..Output::default()
-    })
+    refinement::refine(input, Strategy::Thesis, ABOUT.name, observer)
 }

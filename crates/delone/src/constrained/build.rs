@@ -8,6 +8,7 @@ use super::insert::{Outcome, insert_all};
 use super::names::Names;
 use super::result::Lineage;
 use super::segments::Segments;
+use super::witness::Witness;
 use super::{ConstrainedTriangulation, Options, Warning};
 use crate::delaunay::{Curve, check_number};
 use crate::parallel::Workers;
@@ -85,19 +86,32 @@ impl Prepared {
 
 /// Triangulates and carves a domain.
 pub(crate) fn prepare(
-    mut pslg: Pslg,
+    pslg: Pslg,
     options: Options,
     workers: Workers,
     watch: &dyn Watch,
 ) -> Result<Prepared, Error> {
+    prepare_before(pslg, options, workers, watch, ())
+}
+
+/// Does the same before a witness. If segments are split where they cross, that begins anew, and a witness is not
+/// told: it is for those who refuse.
+pub(super) fn prepare_before(
+    mut pslg: Pslg,
+    options: Options,
+    workers: Workers,
+    watch: &dyn Watch,
+    witness: impl Witness,
+) -> Result<Prepared, Error> {
     input::check(&pslg)?;
     let (mut draft, mut names) = start(&pslg.points, workers, watch)?;
+    witness.begin(&draft, &names.callers);
     if options.domain == DomainRule::EvenOdd {
         input::require_closed(&pslg)?;
     }
     let edges = names.edges(pslg.segments.iter().copied(), workers, watch);
     let edges = edges.ok_or(Error::Cancelled)?;
-    let (chains, crossings) = match insert_all(&mut draft, &edges, workers, watch) {
+    let (chains, crossings) = match insert_all(&mut draft, &edges, workers, watch, witness) {
         Outcome::Cancelled => return Err(Error::Cancelled),
         Outcome::Done(cuts) => (names.chains_of_cuts(&pslg.segments, cuts), Vec::new()),
         Outcome::Blocked => {
@@ -119,7 +133,7 @@ pub(crate) fn prepare(
         positions: &names.positions,
     };
     let seeds = (&pslg.holes[..], &pslg.regions[..]);
-    let carving = carve(&draft, options.domain, &segments, seeds, watch)?;
+    let carving = carve(&draft, options.domain, &segments, seeds, watch, witness)?;
     let lineage = Lineage {
         num_segments: pslg.segments.len(),
         chains,
@@ -213,7 +227,7 @@ pub(super) fn insert_noded(
         .flat_map(|segment| chain(segment).windows(2))
         .map(|pair| [pair[0], pair[1]]);
     let edges = names.edges(edges, workers, watch).ok_or(Error::Cancelled)?;
-    match insert_all(draft, &edges, workers, watch) {
+    match insert_all(draft, &edges, workers, watch, ()) {
         Outcome::Cancelled => Err(Error::Cancelled),
         Outcome::Done(cuts) => Ok(cuts.is_empty()),
         Outcome::Blocked => Ok(false),

@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use super::seeds::{Locator, Place};
 use super::segments::Segments;
+use super::witness::{Witness, tell_reached};
 use super::{Warning, polygons};
 use crate::pace::Pace;
 use crate::{DomainRule, Error, Phase, Point, Region, Seed, TriangleId, Watch};
@@ -25,13 +26,16 @@ pub(super) fn carve(
     segments: &Segments,
     seeds: (&[Point], &[Region]),
     watch: &dyn Watch,
+    witness: impl Witness,
 ) -> Result<Carving, Error> {
     let mut pace = Pace::new(watch, Phase::Carve, draft.mesh.num_faces() as u64);
     let mut outside = match rule {
         DomainRule::Hull => ghosts(draft),
-        DomainRule::Carve => reach_from_outside(draft, &mut pace)?,
-        DomainRule::EvenOdd if segments.are_taken_together() => odd_depth(draft, &mut pace)?,
-        DomainRule::EvenOdd => polygons::outside_union(draft, segments, &mut pace)?,
+        DomainRule::Carve => reach_from_outside(draft, &mut pace, witness)?,
+        DomainRule::EvenOdd if segments.are_taken_together() => {
+            odd_depth(draft, &mut pace, witness)?
+        }
+        DomainRule::EvenOdd => polygons::outside_union(draft, segments, &mut pace, witness)?,
     };
     let mut warnings = Vec::new();
     let mut places = Places {
@@ -39,6 +43,7 @@ pub(super) fn carve(
         locator: Locator::new(draft),
         segments,
         pace,
+        witness,
     };
     places.carve_holes(rule, seeds.0, &mut outside, &mut warnings)?;
     let is_empty = !outside.contains(&false);
@@ -47,6 +52,7 @@ pub(super) fn carve(
     }
     let region_of = places.find_regions(seeds.1, &outside, &mut warnings)?;
     places.pace.finish();
+    witness.carve(draft, &outside);
     Ok(Carving {
         outside,
         region_of,
@@ -63,11 +69,19 @@ fn ghosts(draft: &Draft) -> Vec<bool> {
 }
 
 /// Marks what can be reached from outside without crossing a segment.
-fn reach_from_outside(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error> {
+fn reach_from_outside(
+    draft: &Draft,
+    pace: &mut Pace,
+    witness: impl Witness,
+) -> Result<Vec<bool>, Error> {
     let mut reached = vec![false; draft.mesh.num_faces()];
     for ghost in draft.mesh.ghosts() {
         flood(draft, ghost, pace, |t| {
-            !std::mem::replace(&mut reached[t.index()], true)
+            let is_new = !std::mem::replace(&mut reached[t.index()], true);
+            if is_new {
+                tell_reached(witness, draft, t);
+            }
+            is_new
         })?;
     }
     Ok(reached)
@@ -75,7 +89,7 @@ fn reach_from_outside(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error
 
 /// Marks the faces from which the outside is an even number of segments away, on the shortest way: a
 /// breadth-first search by levels.
-fn odd_depth(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error> {
+fn odd_depth(draft: &Draft, pace: &mut Pace, witness: impl Witness) -> Result<Vec<bool>, Error> {
     let faces = draft.mesh.num_faces();
     let mut seen = vec![false; faces];
     let mut outside = vec![false; faces];
@@ -88,6 +102,7 @@ fn odd_depth(draft: &Draft, pace: &mut Pace) -> Result<Vec<bool>, Error> {
             }
             while let Some(t) = stack.pop() {
                 pace.step()?;
+                tell_reached(witness, draft, t);
                 outside[t.index()] = is_even;
                 for h in t.half_edges() {
                     let neighbor = draft.mesh.twin(h).triangle();
@@ -133,14 +148,15 @@ pub(super) fn flood(
 }
 
 /// Finds the places of seeds, and refuses those on segments.
-struct Places<'a> {
+struct Places<'a, W> {
     draft: &'a Draft,
     locator: Locator<'a>,
     segments: &'a Segments<'a>,
     pace: Pace<'a>,
+    witness: W,
 }
 
-impl Places<'_> {
+impl<W: Witness> Places<'_, W> {
     fn triangle_of(&mut self, seed: Seed, at: Point) -> Result<Option<TriangleId>, Error> {
         self.pace.step()?;
         match self.locator.place(at) {
@@ -177,8 +193,13 @@ impl Places<'_> {
                 warnings.push(Warning::HoleOutside { hole, at });
             } else if let Some(t) = triangle {
                 // Ghosts count as outside, so no flood leaves the hull.
-                flood(self.draft, t, &mut self.pace, |t| {
-                    !std::mem::replace(&mut outside[t.index()], true)
+                let (draft, witness) = (self.draft, self.witness);
+                flood(draft, t, &mut self.pace, |t| {
+                    let is_new = !std::mem::replace(&mut outside[t.index()], true);
+                    if is_new {
+                        tell_reached(witness, draft, t);
+                    }
+                    is_new
                 })?;
             }
         }

@@ -24,6 +24,9 @@ use super::bulk;
 use super::draft::{Ahead, Draft};
 use super::insert::Edge;
 use super::side::Side;
+use super::witness::{
+    Deed, Outline, Witness, is_watching, tell_clearing, tell_lock, tell_of, tell_rebuilt,
+};
 use crate::predicates::{Orientation, orient2d};
 use crate::{HalfEdgeId, TriangleId, VertexId};
 
@@ -39,8 +42,9 @@ pub(super) const FLIPS_PER_FACE: usize = 32;
 const MAX_DEPTH: u32 = 8;
 
 /// Inserts segments; keeps the lists that it needs from one to the next.
-#[derive(Clone, Default)]
-pub(crate) struct Inserter {
+#[derive(Clone)]
+pub(crate) struct Inserter<W = ()> {
+    witness: W,
     /// The triangles of the corridor.
     faces: Vec<TriangleId>,
     left: Side,
@@ -54,12 +58,32 @@ pub(crate) struct Inserter {
     depth: u32,
 }
 
-impl Inserter {
-    /// Makes an inserter for the side of a corridor of this one.
-    pub fn nested(&self) -> Self {
+impl Default for Inserter {
+    fn default() -> Self {
+        Self::before(())
+    }
+}
+
+impl<W: Witness> Inserter<W> {
+    /// Makes an inserter that works before a witness.
+    pub fn before(witness: W) -> Self {
         Self {
+            witness,
+            faces: Vec::new(),
+            left: Side::default(),
+            right: Side::default(),
+            suspects: Vec::new(),
+            is_odd: false,
+            work: 0,
+            depth: 0,
+        }
+    }
+
+    /// Makes an inserter for the side of a corridor of this one.
+    pub fn nested(&self) -> Inserter {
+        Inserter {
             depth: self.depth + 1,
-            ..Self::default()
+            ..Inserter::default()
         }
     }
 
@@ -90,7 +114,7 @@ impl Inserter {
         loop {
             let [from, to] = match draft.find_edge(first, last) {
                 Ok(h) => {
-                    draft.constrain(h, self.is_odd);
+                    self.lock(draft, h);
                     break;
                 }
                 Err(ends) => ends,
@@ -121,12 +145,17 @@ impl Inserter {
     ) -> Result<VertexId, Blocked> {
         match draft.ahead(from, draft.point(to)) {
             Ahead::Along(h) => {
-                draft.constrain(h, self.is_odd);
+                self.lock(draft, h);
                 Ok(draft.mesh.dest(h))
             }
             Ahead::Across(h) => self.insert_across(draft, from, to, h),
             Ahead::Outside => unreachable!("bug: a segment leaves the hull"),
         }
+    }
+
+    fn lock(&self, draft: &mut Draft, h: HalfEdgeId) {
+        tell_lock(self.witness, draft, h);
+        draft.constrain(h, self.is_odd);
     }
 
     /// Inserts the part of the segment `ab` up to the first vertex on it, which is returned; `first`
@@ -139,6 +168,10 @@ impl Inserter {
         first: HalfEdgeId,
     ) -> Result<VertexId, Blocked> {
         let end = self.collect(draft, [a, b], first)?;
+        if is_watching(self.witness) {
+            tell_clearing(self.witness, draft, &self.faces);
+            self.witness.tell(Deed::EdgeCreated([a, end]));
+        }
         if !self.fill(draft, a, end) {
             self.fill_in_bulk(draft, a, end);
         }
@@ -154,12 +187,13 @@ impl Inserter {
         self.suspects.clear();
         let mut faces = self.faces.iter().copied();
         // Counter-clockwise the right side runs from a to the end, the left side back to a.
-        let right = self.right.fill(a, draft, &mut faces, &mut self.suspects);
-        let left = self.left.fill(end, draft, &mut faces, &mut self.suspects);
+        let (suspects, witness) = (&mut self.suspects, self.witness);
+        let right = self.right.fill(a, draft, &mut faces, suspects, witness);
+        let left = self.left.fill(end, draft, &mut faces, suspects, witness);
         draft.mesh.bond(left, right);
-        draft.constrain(left, self.is_odd);
+        self.lock(draft, left);
         let budget = self.budget();
-        draft.legalise(&mut self.suspects, budget)
+        draft.legalise(&mut self.suspects, budget, witness)
     }
 
     /// Returns how many flips are allowed.
@@ -175,11 +209,18 @@ impl Inserter {
     /// Fills both sides anew, after flips have not got by.
     #[cold]
     fn fill_in_bulk(&mut self, draft: &mut Draft, a: VertexId, end: VertexId) {
+        let before = match is_watching(self.witness) {
+            true => Outline::of(draft, &self.faces),
+            false => Outline::default(),
+        };
         let mut faces = self.faces.iter().copied();
         let right = bulk::fill(&self.right, a, draft, &mut faces, self.nested());
         let left = bulk::fill(&self.left, end, draft, &mut faces, self.nested());
         draft.mesh.bond(left, right);
         draft.constrain(left, self.is_odd);
+        if is_watching(self.witness) {
+            tell_rebuilt(self.witness, draft, &self.faces, &before);
+        }
     }
 
     /// Lists the triangles of the corridor and the edges along its sides; of the draft it marks the
@@ -206,6 +247,7 @@ impl Inserter {
         let [from, to] = [a, b].map(|v| draft.point(v));
         let mut crossing = first;
         let end = loop {
+            tell_of(self.witness, draft, crossing, Deed::Cross);
             if draft.marks.is_constrained(crossing) {
                 return Err(Blocked);
             }
@@ -216,6 +258,7 @@ impl Inserter {
             let side = if w == b {
                 Orientation::Collinear
             } else {
+                self.witness.tell(Deed::Turn([a, b, w]));
                 orient2d(from, to, draft.point(w))
             };
             match side {

@@ -1,6 +1,7 @@
 //! The triangulation while segments go into it: mesh and points in the numbering of the curve, what
 //! is constrained, and one half-edge for each vertex, so that nothing ever has to be searched for.
 
+use super::witness::{Witness, tell_flip, tell_suspect};
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
 use crate::{HalfEdgeId, Mesh, Point, TriangleId, VertexId};
 
@@ -129,16 +130,26 @@ impl Draft {
     /// Flips edges between faces of the corridor until all that `suspects` lead to are locally Delaunay
     /// or constrained; false if that takes more than `budget` flips.
     #[must_use]
-    pub fn legalise(&mut self, suspects: &mut Vec<HalfEdgeId>, mut budget: usize) -> bool {
+    pub fn legalise(
+        &mut self,
+        suspects: &mut Vec<HalfEdgeId>,
+        mut budget: usize,
+        witness: impl Witness,
+    ) -> bool {
         while let Some(h) = suspects.pop() {
             let beyond = self.mesh.twin(h).triangle();
-            if !self.marks.is_in_corridor(beyond) || !self.must_flip(h) {
+            if !self.marks.is_in_corridor(beyond) {
+                continue;
+            }
+            tell_suspect(witness, self, h);
+            if !self.must_flip(h) {
                 continue;
             }
             if budget == 0 {
                 return false;
             }
             budget -= 1;
+            tell_flip(witness, self, h);
             self.flip_suspect(h, suspects);
         }
         true

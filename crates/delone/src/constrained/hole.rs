@@ -25,7 +25,7 @@ pub(crate) fn refill(draft: &mut Draft, faces: &[TriangleId], suspects: &mut Vec
     let half_edges = faces.iter().flat_map(|t| t.half_edges());
     suspects.clear();
     suspects.extend(half_edges.filter(|&h| h < draft.mesh.twin(h)));
-    let is_done = draft.legalise(suspects, budget(faces.len()));
+    let is_done = draft.legalise(suspects, budget(faces.len()), ());
     for &t in faces {
         draft.marks.leave_corridor(t);
     }

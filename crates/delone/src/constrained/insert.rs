@@ -2,6 +2,7 @@
 
 use super::corridor::Inserter;
 use super::draft::Draft;
+use super::witness::{Deed, Witness, tell_lock};
 use crate::parallel::Workers;
 use crate::{HalfEdgeId, Phase, VertexId, Watch};
 
@@ -46,6 +47,7 @@ pub(super) fn insert_all(
     edges: &[Edge],
     workers: Workers,
     watch: &dyn Watch,
+    witness: impl Witness,
 ) -> Outcome {
     let total = edges.len() as u64;
     watch.progress(Phase::Constrain, 0, total);
@@ -56,12 +58,16 @@ pub(super) fn insert_all(
     let mut missing = Vec::new();
     for (&edge, h) in edges.iter().zip(found) {
         match h {
-            Some(h) => draft.constrain(h, edge.is_odd),
+            Some(h) => {
+                witness.tell(Deed::Segment(edge.ends));
+                tell_lock(witness, draft, h);
+                draft.constrain(h, edge.is_odd);
+            }
             None => missing.push(edge),
         }
     }
     let present = total - missing.len() as u64;
-    let mut inserter = Inserter::default();
+    let mut inserter = Inserter::before(witness);
     let (mut cuts, mut inner) = (Vec::new(), Vec::new());
     for (edge, done) in in_rounds(&missing).zip(present..) {
         if inserter.take_work(WORK) {
@@ -70,6 +76,7 @@ pub(super) fn insert_all(
             }
             watch.progress(Phase::Constrain, done, total);
         }
+        witness.tell(Deed::Segment(edge.ends));
         let Ok(()) = inserter.insert(draft, edge, &mut inner) else {
             return Outcome::Blocked;
         };
@@ -79,6 +86,7 @@ pub(super) fn insert_all(
         }
     }
     watch.progress(Phase::Constrain, total, total);
+    witness.tell(Deed::Inserted);
     Outcome::Done(cuts)
 }
 

@@ -34,6 +34,7 @@ mod result;
 mod seeds;
 mod segments;
 mod side;
+mod witness;
 
 pub(crate) use build::{Context, Faces, Prepared, prepare};
 pub(crate) use corridor::Inserter;
@@ -45,8 +46,11 @@ pub(crate) use hole::refill;
 pub(crate) use insert::Edge;
 pub(crate) use lengthen::{Cuts, NO_SEGMENT};
 pub use result::{ConstrainedTriangulation, Origin, Warning};
+pub(crate) use witness::{Deed, Witness};
 
+use crate::parallel::Workers;
 use crate::{DomainRule, Error, Pslg, SegmentPolicy, Watch, parallel};
+use build::prepare_before;
 
 /// How to triangulate a domain.
 #[derive(Clone, Copy)]
@@ -125,4 +129,22 @@ impl<'w> ConstrainedDelaunay<'w> {
             prepare(pslg, options, workers, watch)?.hand_out(workers, watch)
         })?
     }
+}
+
+/// Triangulates a domain on one thread before a witness, and refuses crossings.
+///
+/// # Errors
+/// Those of [`ConstrainedDelaunay::triangulate`].
+pub(crate) fn triangulate_before(
+    pslg: Pslg,
+    domain: DomainRule,
+    watch: &dyn Watch,
+    witness: impl Witness,
+) -> Result<ConstrainedTriangulation, Error> {
+    let options = Options {
+        domain,
+        crossings: SegmentPolicy::Error,
+    };
+    let prepared = prepare_before(pslg, options, Workers::ONE, watch, witness)?;
+    prepared.hand_out(Workers::ONE, watch)
 }

@@ -7,6 +7,7 @@
 
 use super::draft::Draft;
 use super::segments::{Segments, undirected};
+use super::witness::{Witness, tell_reached};
 use crate::pace::Pace;
 use crate::{Error, HalfEdgeId, VertexId};
 
@@ -15,12 +16,13 @@ pub(super) fn outside_union(
     draft: &Draft,
     segments: &Segments,
     pace: &mut Pace,
+    witness: impl Witness,
 ) -> Result<Vec<bool>, Error> {
     if draft.mesh.num_faces() == 0 {
         return Ok(Vec::new());
     }
     let borders = Borders::of(segments);
-    let components = Components::find(draft, &borders, pace)?;
+    let components = Components::find(draft, &borders, pace, witness)?;
     let outside = components.outside_of(&borders, segments.polygons.len());
     let faces = components.of_face.iter();
     Ok(faces.map(|&c| outside[c as usize]).collect())
@@ -77,7 +79,12 @@ struct Components {
 }
 
 impl Components {
-    fn find(draft: &Draft, borders: &Borders, pace: &mut Pace) -> Result<Self, Error> {
+    fn find(
+        draft: &Draft,
+        borders: &Borders,
+        pace: &mut Pace,
+        witness: impl Witness,
+    ) -> Result<Self, Error> {
         const NONE: u32 = u32::MAX;
         let mesh = &draft.mesh;
         let mut of_face = vec![NONE; mesh.num_faces()];
@@ -92,6 +99,7 @@ impl Components {
             stack.push(start);
             while let Some(t) = stack.pop() {
                 pace.step()?;
+                tell_reached(witness, draft, t);
                 for h in t.half_edges() {
                     let entries = borders.of_edge(draft, h);
                     let neighbor = mesh.twin(h).triangle();

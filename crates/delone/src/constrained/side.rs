@@ -1,6 +1,7 @@
 //! One side of a corridor: the edges that bound it, and how it is filled by cutting ears.
 
 use super::draft::{Draft, Mark};
+use super::witness::{Deed, Witness, is_watching};
 use crate::predicates::{Orientation, orient2d};
 use crate::{HalfEdgeId, TriangleId, VertexId};
 
@@ -109,13 +110,15 @@ impl Side {
     /// Fills the side with triangles, in the next of `faces`, and returns the half-edge of the segment
     /// in them, whose twin is still to be bonded. The rim begins at vertex `start`.
     ///
-    /// The new edges are added to `suspects`: they may not be Delaunay.
+    /// The new edges are added to `suspects`: they may not be Delaunay. That of the segment a witness
+    /// knows already.
     pub fn fill(
         &mut self,
         start: VertexId,
         draft: &mut Draft,
         faces: &mut impl Iterator<Item = TriangleId>,
         suspects: &mut Vec<HalfEdgeId>,
+        witness: impl Witness,
     ) -> HalfEdgeId {
         self.built.clear();
         self.built.resize(self.rim.len(), None);
@@ -129,9 +132,12 @@ impl Side {
                 vertex: self.rim[index].to,
                 arrival: Arrival::Rim(index as u32),
             });
-            while self.ends_in_ear(draft) {
+            while self.ends_in_ear(draft, witness) {
                 let face = faces.next().expect("bug: more triangles than were cleared");
                 suspects.push(self.cut_ear(draft, face));
+                if is_watching(witness) {
+                    self.tell_ear(start, draft.mesh.corners(face), witness);
+                }
             }
         }
         match self.scan[..] {
@@ -147,11 +153,13 @@ impl Side {
     }
 
     /// Tells whether the last three corners turn left.
-    fn ends_in_ear(&self, draft: &Draft) -> bool {
+    fn ends_in_ear(&self, draft: &Draft, witness: impl Witness) -> bool {
         let [.., u, v, w] = &self.scan[..] else {
             return false;
         };
-        let [u, v, w] = [u, v, w].map(|corner| draft.point(corner.vertex));
+        let corners = [u, v, w].map(|corner| corner.vertex);
+        witness.tell(Deed::Turn(corners));
+        let [u, v, w] = corners.map(|v| draft.point(v));
         orient2d(u, v, w) == Orientation::Left
     }
 
@@ -168,6 +176,16 @@ impl Side {
             arrival: Arrival::Cut(wu),
         });
         wu
+    }
+
+    /// Tells of the triangle that has been cut off a side whose rim begins at `start`.
+    fn tell_ear(&self, start: VertexId, [u, v, w]: [VertexId; 3], witness: impl Witness) {
+        witness.tell(Deed::Ear);
+        let end = self.rim.last().expect("bug: a side without edges").to;
+        if [u, w] != [start, end] {
+            witness.tell(Deed::EdgeCreated([w, u]));
+        }
+        witness.tell(Deed::TriangleCreated([u, v, w]));
     }
 
     /// Bonds half-edge `h` of a new triangle to what lies beyond, or leaves it for that to be bonded to.

@@ -242,14 +242,14 @@ pub enum Event {
     SegmentSplit {
         /// Its ends.
         edge: [VertexId; 2],
-        /// The vertex.
+        /// The vertex, which may be the next to appear.
         vertex: VertexId,
     },
-    /// A triangle is to be opened by a new vertex at its circumcenter.
+    /// A triangle is to be opened by a new vertex at its circumcenter, or at another place in its circle.
     CircumcenterProposed {
         /// Its corners.
         triangle: [VertexId; 3],
-        /// The circumcenter, rounded.
+        /// That place, rounded.
         at: Point,
     },
     /// It is not: this edge is divided instead.
@@ -410,6 +410,8 @@ pub enum Failure {
 )]
 #[non_exhaustive]
 pub enum Stage {
+    /// The points are triangulated.
+    Triangulation,
     /// Segments are divided evenly, before there is a mesh.
     SplitEdges,
     /// The plane is swept.
@@ -422,6 +424,12 @@ pub enum Stage {
     InsideTest,
     /// Edges are flipped until all are locally Delaunay.
     Flips,
+    /// A lattice of vertices is sown.
+    Lattice,
+    /// Bad triangles are refined, encroached segments split.
+    Refinement,
+    /// Vertices are moved to better places.
+    Smoothing,
     /// Longest edges are bisected.
     ShortenEdges,
     /// Skinny triangles are opened.

@@ -4,10 +4,11 @@
 use super::bounds::Shape;
 use super::candidates::circumcenter;
 use super::cavity::Cavity;
+use super::code;
 use super::lines::distance;
 use super::refiner::{Refiner, Step};
 use crate::predicates::{Orientation, in_circle_perturbed, orient2d};
-use crate::{HalfEdgeId, Point, TriangleId, VertexId};
+use crate::{Event, HalfEdgeId, Observer, Point, TriangleId, VertexId};
 
 /// A cavity of more faces than this is the end of a fan: so many triangles from a far vertex to a row of
 /// near ones.
@@ -42,7 +43,7 @@ enum Motive {
     },
 }
 
-impl Refiner<'_> {
+impl<O: Observer> Refiner<'_, O> {
     /// Makes an oversized triangle smaller, unless it has vanished.
     pub(super) fn shrink(&mut self, t: TriangleId, corners: [VertexId; 3]) -> Step {
         if self.canvas.mesh.corners(t) != corners {
@@ -55,13 +56,21 @@ impl Refiner<'_> {
             return Step::Passed;
         }
         let longest = t.half_edges()[shape.longest().0];
-        let step = if edge > 1.0 && self.canvas.is_constrained(longest) {
+        let is_long = edge > 1.0 && self.canvas.is_constrained(longest);
+        let line = if is_long { code::LONG } else { code::LARGE };
+        self.teller
+            .because(line, |teller| Event::TriangleConsidered {
+                triangle: teller.names(corners),
+            });
+        let step = if is_long {
+            self.teller.at(code::LONG);
             self.split(longest, None, 0.0, None)
         } else {
             self.insert_best(t, &[circumcenter(points)], longest, Motive::Size)
         };
-        if step == Step::Added {
-            self.requeue(t, corners);
+        match step {
+            Step::Added => self.requeue(t, corners),
+            _ => self.teller.tell_left(corners),
         }
         step
     }
@@ -75,6 +84,9 @@ impl Refiner<'_> {
             return Step::Passed;
         }
         let step = self.open(t, true);
+        if step != Step::Added {
+            self.teller.tell_left(corners);
+        }
         if self.canvas.mesh.corners(t) == corners {
             self.canvas.set_skinny(t, false);
             if step == Step::Added {
@@ -94,6 +106,7 @@ impl Refiner<'_> {
         let shortest = t.half_edges()[k];
         let least = LEAST * self.canvas.closest(points[0]);
         if self.is_given(shortest) || squared < least * least {
+            self.teller.at(code::GIVEN);
             return Step::Passed;
         }
         self.canvas.set_skinny(t, true);
@@ -174,7 +187,7 @@ impl Refiner<'_> {
                     }
                 }
                 Verdict::Blocked(outer, other) => {
-                    in_the_way.get_or_insert((outer, other));
+                    in_the_way.get_or_insert((outer, other, c));
                     // Others may fit in, but too close to a segment: vertices would crowd there.
                     if i == 0 {
                         break;
@@ -184,28 +197,62 @@ impl Refiner<'_> {
             }
         }
         if let Some((c, _, spacing)) = best {
+            self.tell_proposal(t, c, motive);
             let base = match motive {
                 // Sizes set a scale of their own.
                 Motive::Size => base.min(spacing.sqrt()),
                 Motive::Angle { .. } => base,
             };
-            let v = self.push_vertex(c, base);
+            let v = self.push_vertex(c, base, code::INSERT);
             self.lines.push_free();
             let mut cavity = std::mem::take(&mut self.best);
+            let before = self.teller.before(&self.canvas, &cavity.faces);
             cavity.fill(&mut self.canvas, v);
+            self.teller.after(before, &self.canvas, &cavity.faces);
             self.examine_all(&cavity);
             self.best = cavity;
             return Step::Added;
         }
+        self.teller.at(code::REJECT);
         match in_the_way {
-            Some((outer, other)) => {
+            Some((outer, other, c)) => {
                 let h = self.canvas.mesh.twin(outer);
+                self.tell_proposal(t, c, motive);
+                self.tell_rejection(t, h);
                 let culprit = other.map(|other| self.culprit_opposite(other));
                 let base = Some(base).filter(|_| motive != Motive::Size);
-                self.split(h, base, floor, culprit)
+                let step = self.split(h, base, floor, culprit);
+                self.teller.forget();
+                step
             }
             None => Step::Passed,
         }
+    }
+
+    /// Says that a vertex at `c` is to make triangle `t` vanish.
+    #[inline]
+    fn tell_proposal(&mut self, t: TriangleId, c: Point, motive: Motive) {
+        let line = match motive {
+            Motive::Size => code::LARGE,
+            Motive::Angle { .. } => code::SKINNY,
+        };
+        let corners = self.canvas.mesh.corners(t);
+        self.teller
+            .because(line, |teller| Event::CircumcenterProposed {
+                triangle: teller.names(corners),
+                at: teller.unscaled(c),
+            });
+    }
+
+    /// Says that instead the subsegment of `h` is to be split.
+    #[inline]
+    fn tell_rejection(&mut self, t: TriangleId, h: HalfEdgeId) {
+        let (corners, ends) = (self.canvas.mesh.corners(t), self.canvas.ends(h));
+        self.teller
+            .because(code::REJECT, |teller| Event::CircumcenterRejected {
+                triangle: teller.names(corners),
+                edge: teller.names(ends),
+            });
     }
 
     /// Finds out what a vertex at `c` would do to triangle `t` and those around it.

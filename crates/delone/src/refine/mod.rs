@@ -22,6 +22,7 @@
 //! | [`relocate`] | vertices of the lattice moved instead of others added |
 //! | [`smooth`](mod@smooth) | vertices moved to better places afterwards |
 //! | [`patch`], [`worth`] | what a move changes, and whether that is worth it |
+//! | [`telling`], [`picture`], [`code`] | what is done, for who watches |
 //! | [`sizing`] | how large triangles may be, place by place |
 //! | [`thesis`] | the other strategy, which shares only the first and the last steps |
 //!
@@ -128,12 +129,14 @@ mod budget;
 mod candidates;
 mod canvas;
 mod cavity;
+mod code;
 mod corners;
 mod handing;
 mod insertion;
 mod lines;
 mod longest;
 mod patch;
+mod picture;
 mod queue;
 mod reasons;
 mod refined;
@@ -145,10 +148,12 @@ pub mod sizing;
 mod smooth;
 mod sow;
 mod splitting;
+mod telling;
 mod thesis;
 mod worth;
 
 pub use budget::Budget;
+pub(crate) use code::CODE as DELAUNAY_CODE;
 pub use refined::RefinedMesh;
 pub use report::{Outcome, Reason, Report, Unmet};
 pub use sizing::SizingField;
@@ -183,7 +188,7 @@ pub enum Strategy {
     /// the result, with [`Outcome::FellBack`].
     ///
     /// It knows a smallest angle and a longest edge, and promises the latter only; for work,
-    /// [`Strategy::Delaunay`] is better. Its steps may be [observed](Refinement::observe).
+    /// [`Strategy::Delaunay`] is better.
     Thesis,
 }
 
@@ -350,8 +355,20 @@ impl<'a> Refinement<'a> {
         self.observe(pslg, &mut ())
     }
 
-    /// Does the same and tells `observer` of each step of [`Strategy::Thesis`]; the default strategy is not
-    /// made to be followed.
+    /// Does the same, and tells `observer` of each step. Vertices have the numbers of the result.
+    ///
+    /// Why a vertex is added is told right before it [appears](crate::Event::VertexCreated):
+    ///
+    /// - [`CircumcenterProposed`](crate::Event::CircumcenterProposed), for a triangle that is skinny; where that is
+    ///   too large, [`TriangleConsidered`](crate::Event::TriangleConsidered) comes before it;
+    /// - [`CircumcenterRejected`](crate::Event::CircumcenterRejected) after these and
+    ///   [`SegmentSplit`](crate::Event::SegmentSplit), if a subsegment is in the way;
+    /// - [`Encroached`](crate::Event::Encroached) and `SegmentSplit`, if a vertex is too close to a subsegment;
+    /// - `TriangleConsidered` and `SegmentSplit`, if a subsegment is too long;
+    /// - nothing for the vertices of a lattice: they appear between two
+    ///   [`StageEnded`](crate::Event::StageEnded), that of the domain and that of the lattice.
+    ///
+    /// [`Strategy::Thesis`] tells of `SegmentSplit` right behind the vertex.
     ///
     /// # Errors
     /// Those of [`mesh`](Self::mesh).
@@ -364,7 +381,7 @@ impl<'a> Refinement<'a> {
         parallel::with_workers(self.threads, |workers| {
             let prepared = prepare(pslg, self.options, workers, self.watch)?;
             match self.strategy {
-                Strategy::Delaunay => run::refine(prepared, &self, workers),
+                Strategy::Delaunay => run::refine(prepared, &self, workers, observer),
                 Strategy::Thesis => thesis::refine(prepared, &self, workers, observer),
             }
         })?

@@ -12,7 +12,8 @@ use super::cavity::Cavity;
 use super::lines::Lines;
 use super::patch::Patch;
 use super::queue::Queue;
-use crate::{HalfEdgeId, Point, TriangleId, VertexId};
+use super::telling::Teller;
+use crate::{HalfEdgeId, Observer, Point, TriangleId, VertexId};
 use std::collections::VecDeque;
 
 /// Vertices that are to improve angles keep at least this part of the local feature size away from all
@@ -23,7 +24,7 @@ const GRADATION: f64 = 1.0 / 16.0;
 const GRADATION_LOCKED: f64 = 1.0 / 256.0;
 
 /// A refinement under way.
-pub(super) struct Refiner<'a> {
+pub(super) struct Refiner<'a, O> {
     pub canvas: Canvas,
     pub lines: Lines,
     pub bounds: Bounds<'a>,
@@ -41,6 +42,7 @@ pub(super) struct Refiner<'a> {
     pub sown: Vec<bool>,
     pub has_lattice: bool,
     pub patch: Patch,
+    pub teller: Teller<'a, O>,
 }
 
 /// A subsegment that has to be split.
@@ -61,8 +63,14 @@ pub(super) enum Step {
     Finished,
 }
 
-impl<'a> Refiner<'a> {
-    pub fn new(canvas: Canvas, sown: Vec<bool>, bounds: Bounds<'a>, locked: Locked) -> Self {
+impl<'a, O: Observer> Refiner<'a, O> {
+    pub fn new(
+        canvas: Canvas,
+        sown: Vec<bool>,
+        bounds: Bounds<'a>,
+        locked: Locked,
+        teller: Teller<'a, O>,
+    ) -> Self {
         let base = feature_sizes(&canvas);
         let mut refiner = Self {
             candidates: Candidates::new(bounds.min_angle),
@@ -79,6 +87,7 @@ impl<'a> Refiner<'a> {
             has_lattice: sown.contains(&true),
             sown,
             patch: Patch::default(),
+            teller,
         };
         let faces = (0..refiner.canvas.mesh.num_faces()).map(TriangleId::new);
         for t in faces {
@@ -201,8 +210,11 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    pub(super) fn push_vertex(&mut self, p: Point, base: f64) -> VertexId {
+    /// Adds a vertex, whose causes have been said, at a line of the pseudocode.
+    pub(super) fn push_vertex(&mut self, p: Point, base: f64, line: u16) -> VertexId {
         let v = VertexId::new(self.canvas.points.len());
+        self.teller.at(line);
+        self.teller.tell_vertex(v, p);
         self.canvas.points.push(p);
         self.base.push(base);
         v

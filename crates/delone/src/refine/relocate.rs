@@ -9,12 +9,13 @@
 //! Each move leaves fewer triangles that break a bound, so between two insertions there are finitely many;
 //! and it keeps the distances that insertions keep, so there is an end of these, too.
 
+use super::code;
 use super::lines::distance;
 use super::refiner::Refiner;
 use super::worth::Worth;
-use crate::{HalfEdgeId, Point, TriangleId};
+use crate::{HalfEdgeId, Observer, Point, TriangleId};
 
-impl Refiner<'_> {
+impl<O: Observer> Refiner<'_, O> {
     /// Moves a corner of triangle `t` to where fewer triangles break a bound; tells whether there is such a
     /// place.
     pub(super) fn relocate(&mut self, t: TriangleId) -> bool {
@@ -72,9 +73,13 @@ impl Refiner<'_> {
             after.broken < before.broken && after.encroaches_nothing_new(before)
         };
         let mut patch = std::mem::take(&mut self.patch);
+        let v = self.canvas.mesh.origin(spoke);
+        let from = self.canvas.point(v);
         let (canvas, bounds) = (&mut self.canvas, &self.bounds);
         let is_moved = patch.try_move(canvas, bounds, spoke, place, has_less_broken);
         if is_moved {
+            self.teller.at(code::MOVE);
+            self.teller.tell_move(&self.canvas, v, from, patch.faces());
             for face in patch.faces() {
                 self.reexamine(face.id);
             }

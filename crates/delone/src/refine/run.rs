@@ -1,16 +1,18 @@
 //! From a triangulated domain to a refined mesh: the loop with its budget, and what surrounds it.
 
 use super::bounds::Bounds;
+use super::code;
 use super::handing;
 use super::reasons;
 use super::refiner::{Refiner, Step};
 use super::smooth::smooth;
 use super::sow::sow;
+use super::telling::{Teller, tell_sown, tell_start};
 use super::{Outcome, RefinedMesh, Refinement, Report};
 use crate::clock::Clock;
 use crate::constrained::{Prepared, enrich};
 use crate::parallel::Workers;
-use crate::{DomainRule, Error, Locked, Phase, Watch};
+use crate::{DomainRule, Error, Locked, Observer, Phase, Stage, Watch};
 
 /// Steps between two looks at clock and watch.
 const STRIDE: usize = 1 << 10;
@@ -20,16 +22,19 @@ pub(super) fn refine(
     mut prepared: Prepared,
     refinement: &Refinement,
     workers: Workers,
+    observer: &mut impl Observer,
 ) -> Result<RefinedMesh, Error> {
     if refinement.options.domain == DomainRule::Hull {
         handing::close_hull(&mut prepared);
     }
+    let shown = tell_start(&prepared, observer);
     let vertices = refinement.budget.vertices.unwrap_or(usize::MAX);
     let room = vertices.saturating_sub(prepared.points.len());
     if refinement.locked == Locked::Nothing
         && let Some(additions) = sow(&prepared, &refinement.quality, room)
     {
         prepared = enrich(prepared, additions, workers, refinement.watch)?;
+        tell_sown(shown, &prepared, observer);
     }
     let scale = handing::scale(&prepared.points);
     let bounds = Bounds::new(
@@ -40,10 +45,12 @@ pub(super) fn refine(
         scale,
     );
     let sown = handing::are_sown(&prepared);
+    let teller = Teller::new(&prepared, scale, observer);
     let (canvas, context) = handing::canvas(prepared, scale);
-    let mut refiner = Refiner::new(canvas, sown, bounds, refinement.locked);
+    let mut refiner = Refiner::new(canvas, sown, bounds, refinement.locked, teller);
     let clock = Clock::start();
     let stopped = work_off(&mut refiner, refinement, clock);
+    refiner.teller.end(code::LOOP, Stage::Refinement);
     let ended = match stopped {
         Some(Outcome::Cancelled) => stopped,
         _ => smooth(&mut refiner, refinement, clock).or(stopped),
@@ -71,7 +78,11 @@ pub(super) fn refine(
 }
 
 /// Goes on until nothing is left to do; returns what stopped it earlier, if anything did.
-fn work_off(refiner: &mut Refiner, refinement: &Refinement, clock: Clock) -> Option<Outcome> {
+fn work_off(
+    refiner: &mut Refiner<impl Observer>,
+    refinement: &Refinement,
+    clock: Clock,
+) -> Option<Outcome> {
     let budget = refinement.budget;
     let most = budget.vertices.unwrap_or(usize::MAX);
     for steps in 0.. {

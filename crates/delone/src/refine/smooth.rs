@@ -18,14 +18,16 @@
 
 use super::bounds::Bounds;
 use super::canvas::Canvas;
+use super::code;
 use super::lines::{Lines, distance};
 use super::patch::Patch;
 use super::refiner::Refiner;
 use super::relocate::toward_centers;
+use super::telling::Teller;
 use super::worth::Worth;
 use super::{Outcome, Refinement};
 use crate::clock::Clock;
-use crate::{HalfEdgeId, Phase, Point, TriangleId, VertexId};
+use crate::{HalfEdgeId, Observer, Phase, Point, Stage, TriangleId, VertexId};
 
 /// Moves shorter than this part of the shortest edge, squared, are not worth the work.
 const SHORTEST_MOVE: f64 = 1e-6;
@@ -36,7 +38,7 @@ const STRIDE: usize = 1 << 10;
 /// Moves free vertices to better places, as often as asked for and as the time allows; tells if the
 /// watch has cancelled. `sown` says of the vertices that were there when refinement began which are free.
 pub(super) fn smooth(
-    refiner: &mut Refiner,
+    refiner: &mut Refiner<impl Observer>,
     refinement: &Refinement,
     clock: Clock,
 ) -> Option<Outcome> {
@@ -49,6 +51,7 @@ pub(super) fn smooth(
         &refiner.lines,
         &refiner.sown,
         &refiner.bounds,
+        &mut refiner.teller,
     );
     let free = smoother.num_free();
     let total = (free as u64).saturating_mul(refinement.smoothing as u64);
@@ -73,11 +76,12 @@ pub(super) fn smooth(
         done += free as u64;
     }
     watch.progress(Phase::Smooth, total, total);
+    refiner.teller.end(code::SMOOTH, Stage::Smoothing);
     None
 }
 
 /// Moves vertices of a canvas.
-struct Smoother<'a> {
+struct Smoother<'a, 'o, O> {
     canvas: &'a mut Canvas,
     bounds: &'a Bounds<'a>,
     free: Vec<VertexId>,
@@ -86,10 +90,18 @@ struct Smoother<'a> {
     /// Whether a vertex has found no better place, and nothing around it has changed since.
     settled: Vec<bool>,
     patch: Patch,
+    teller: &'a mut Teller<'o, O>,
 }
 
-impl<'a> Smoother<'a> {
-    fn new(canvas: &'a mut Canvas, lines: &Lines, sown: &[bool], bounds: &'a Bounds<'a>) -> Self {
+impl<'a, 'o, O: Observer> Smoother<'a, 'o, O> {
+    fn new(
+        canvas: &'a mut Canvas,
+        lines: &Lines,
+        sown: &[bool],
+        bounds: &'a Bounds<'a>,
+        teller: &'a mut Teller<'o, O>,
+    ) -> Self {
+        teller.at(code::SMOOTH);
         let all = (0..canvas.points.len()).map(VertexId::new);
         let is_free = |&v: &VertexId| match sown.get(v.index()) {
             Some(&is_sown) => is_sown,
@@ -102,6 +114,7 @@ impl<'a> Smoother<'a> {
             patch: Patch::default(),
             canvas,
             bounds,
+            teller,
         };
         for t in (0..smoother.canvas.mesh.num_faces()).map(TriangleId::new) {
             smoother.note_spokes(t);
@@ -151,9 +164,11 @@ impl<'a> Smoother<'a> {
         let spoke = self.spokes[v.index()];
         let is_better = |before: &Worth, after: &Worth| after.is_better_than(before);
         let (canvas, bounds) = (&mut *self.canvas, self.bounds);
+        let from = canvas.point(v);
         if !self.patch.try_move(canvas, bounds, spoke, to, is_better) {
             return false;
         }
+        self.teller.tell_move(canvas, v, from, self.patch.faces());
         for i in 0..self.patch.faces().len() {
             let t = self.patch.faces()[i].id;
             self.note_spokes(t);

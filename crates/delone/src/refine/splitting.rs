@@ -5,10 +5,11 @@
 //! beside it, or, where these are too thin to have places inside, beyond them.
 
 use super::canvas::Traits;
+use super::code;
 use super::lines::{Culprit, Nature, distance};
 use super::refiner::{Encroached, Refiner, Step};
 use crate::predicates::{Orientation, is_between, orient2d};
-use crate::{HalfEdgeId, Point, VertexId};
+use crate::{Event, HalfEdgeId, Observer, Point, VertexId};
 
 /// Where a vertex may split an edge.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,7 @@ enum Site {
     Beside(HalfEdgeId),
 }
 
-impl Refiner<'_> {
+impl<O: Observer> Refiner<'_, O> {
     /// Splits an encroached subsegment, unless it has vanished.
     pub(super) fn relieve(&mut self, Encroached { half_edge: h, ends }: Encroached) -> Step {
         if self.canvas.ends(h) != ends || !self.canvas.is_constrained(h) {
@@ -46,7 +47,14 @@ impl Refiner<'_> {
             false => 0.0,
         };
         let culprit = (!is_free).then(|| self.culprit(apex));
-        self.split(h, base, floor, culprit)
+        self.teller
+            .because(code::ENCROACHED, |teller| Event::Encroached {
+                segment: teller.names(ends),
+                by: teller.names([apex])[0],
+            });
+        let step = self.split(h, base, floor, culprit);
+        self.teller.forget();
+        step
     }
 
     /// Splits the subsegment of `h`; the new vertex inherits `base`, or takes its distance from others, and
@@ -72,7 +80,13 @@ impl Refiner<'_> {
         if spacing < self.canvas.closest(p).max(floor) || !spacing.is_finite() {
             return Step::Passed;
         }
-        let v = self.push_vertex(p, base.unwrap_or(spacing));
+        let vertex = VertexId::new(self.num_vertices());
+        self.teller
+            .because(code::SPLIT, |teller| Event::SegmentSplit {
+                edge: teller.names(ends),
+                vertex,
+            });
+        let v = self.push_vertex(p, base.unwrap_or(spacing), code::SPLIT);
         self.lines.push_between(line, ends);
         self.split_at(site, v);
         if base.is_none() {
@@ -197,6 +211,7 @@ impl Refiner<'_> {
         } else {
             cavity.dig_both(&self.canvas, h, p);
         }
+        let before = self.teller.before(&self.canvas, &cavity.faces);
         cavity.fill(&mut self.canvas, v);
         let n = cavity.rim.len();
         for i in 0..n {
@@ -208,6 +223,7 @@ impl Refiner<'_> {
                 self.canvas.set_constrained(incoming, true);
             }
         }
+        self.teller.after(before, &self.canvas, &cavity.faces);
         self.examine_all(&cavity);
         self.best = cavity;
     }

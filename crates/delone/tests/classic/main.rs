@@ -1,6 +1,7 @@
 //! The classical algorithms: all against one suite, and each against its own text.
 
 mod chapter;
+mod constrained;
 mod edge_flip;
 mod facts;
 mod flips;
@@ -10,6 +11,7 @@ mod lecture;
 mod named;
 mod polygons;
 mod printed_sweep;
+mod refinement;
 mod scene;
 mod small;
 mod stopping;

@@ -43,7 +43,8 @@ pub fn named(event: Event) -> Vec<VertexId> {
             triangle, point, ..
         } => with(triangle.to_vec(), point),
         Event::Encroached { segment, by } => with(segment.to_vec(), by),
-        Event::SegmentSplit { edge, vertex } => with(edge.to_vec(), vertex),
+        // Its vertex may be the next to appear.
+        Event::SegmentSplit { edge, .. } => edge.to_vec(),
         Event::CircumcenterRejected { triangle, edge } => [&triangle[..], &edge].concat(),
         Event::PrintFailed { failure } => of_failure(failure),
         // The first that goes, if any: there may be none of this number.

@@ -32,7 +32,6 @@
 mod code;
 mod limits;
 mod opening;
-mod picture;
 mod queues;
 mod sight;
 mod split;
@@ -41,6 +40,7 @@ mod tests;
 mod verdict;
 mod work;
 
+use super::picture::Picture;
 use super::{Encroachment, Locked, Outcome, RefinedMesh, Refinement, handing};
 use crate::constrained::{Prepared, Steiner, extend};
 use crate::parallel::Workers;
@@ -49,7 +49,6 @@ use crate::{
 };
 pub(crate) use code::CODE;
 use limits::Limits;
-use picture::Picture;
 use work::Work;
 
 /// Refines a domain that is triangulated and carved.

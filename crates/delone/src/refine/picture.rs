@@ -57,6 +57,41 @@ impl Picture {
         picture
     }
 
+    /// What is seen of faces: their corners, of which bits say that the edge opposite is a segment, and whether they
+    /// are outside. Those are not seen, but for their segments.
+    pub fn of_faces(
+        num_points: usize,
+        faces: impl Iterator<Item = ([VertexId; 3], u8, bool)>,
+    ) -> Self {
+        let mut picture = Self::of_points(num_points);
+        for (corners @ [a, b, c], bits, is_outside) in faces {
+            let sides = [[b, c], [c, a], [a, b]].map(ascending);
+            let segments = (0..3).filter(|k| bits >> k & 1 == 1).map(|k| sides[k]);
+            picture.segments.extend(segments.clone());
+            picture.edges.extend(segments);
+            if !is_outside {
+                picture = picture.with([corners]);
+            }
+        }
+        picture
+    }
+
+    /// What two pictures have in common, but for what hangs on vertex `v`.
+    pub fn common(&self, other: &Self, v: VertexId) -> Self {
+        let edges = |ours: &BTreeSet<_>, theirs: &BTreeSet<_>| {
+            let both = ours.intersection(theirs).copied();
+            both.filter(|edge: &[VertexId; 2]| !edge.contains(&v))
+                .collect()
+        };
+        let both = self.triangles.intersection(&other.triangles).copied();
+        Self {
+            num_points: self.num_points,
+            segments: edges(&self.segments, &other.segments),
+            edges: edges(&self.edges, &other.edges),
+            triangles: both.filter(|corners| !corners.contains(&v)).collect(),
+        }
+    }
+
     /// Adds triangles and their sides.
     pub fn with(mut self, triangles: impl IntoIterator<Item = [VertexId; 3]>) -> Self {
         for [a, b, c] in triangles {

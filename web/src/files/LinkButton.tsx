@@ -1,0 +1,33 @@
+// The link to the page as it is now, for the clipboard.
+
+import { LinkIcon } from "../app/icons";
+import { linkNow } from "../state/link";
+import { notify } from "../state/notices";
+import { words } from "../words";
+import { dialog } from "./dialogs";
+
+export function LinkButton() {
+  const say = words.value.files;
+  return (
+    <button type="button" class="worded" title={say.link} onClick={() => void copy()}>
+      <LinkIcon />
+      <span class="link-words">{say.link}</span>
+    </button>
+  );
+}
+
+async function copy(): Promise<void> {
+  const say = words.peek().files;
+  const link = await linkNow();
+  if (link === null) return notify("info", say.linkTooLarge, { action: { name: "save", run: openSave } });
+  try {
+    await navigator.clipboard.writeText(link);
+    notify("info", say.linkCopied);
+  } catch {
+    notify("info", say.linkShown(link));
+  }
+}
+
+function openSave(): void {
+  dialog.value = "save";
+}

@@ -1,0 +1,15 @@
+// The eraser: what is clicked goes; a point with the segments that end there.
+
+import { edit } from "../../state/drawing";
+import type { Place, Tool } from "../tool";
+import { remove } from "./edits";
+import { under } from "./under";
+
+export const erase: Tool = {
+  cursor: "crosshair",
+  down: () => false,
+  click(place: Place): void {
+    const what = under(place);
+    if (what) void edit(remove(what));
+  },
+};
