@@ -8,7 +8,9 @@ import { SaveDialog } from "../files/SaveDialog";
 import { MeshPanel } from "../mesh/MeshPanel";
 import { PlayPanel } from "../play/PlayPanel";
 import { Transport } from "../play/Transport";
+import { PredictBar } from "../predict/PredictBar";
 import { PredictPanel } from "../predict/PredictPanel";
+import { RaceBar } from "../race/RaceBar";
 import { RacePanel } from "../race/RacePanel";
 import { SeePanel } from "../see/SeePanel";
 import { mode } from "../state/mode";
@@ -20,10 +22,12 @@ import { useShortcuts } from "./shortcuts";
 import "./app.css";
 
 const panels = { play: PlayPanel, predict: PredictPanel, race: RacePanel, mesh: MeshPanel };
+const bars = { play: Transport, predict: PredictBar, race: RaceBar, mesh: null };
 
 export function App() {
   useShortcuts();
   const Panel = panels[mode.value];
+  const Bar = bars[mode.value];
   return (
     <div class="app" data-mode={mode.value}>
       <Header />
@@ -37,7 +41,7 @@ export function App() {
         <ToolHint />
         <Jobs />
         <Notices />
-        {mode.value !== "mesh" && <Transport />}
+        {Bar && <Bar />}
       </main>
       <aside class="work">
         <Panel />

@@ -3,6 +3,8 @@
 import { computed, signal } from "@preact/signals";
 import { drawn } from "../drawing/drawn";
 import { Beside } from "../lift/Beside";
+import { game } from "../predict/overlay";
+import { RaceStages } from "../race/RaceStages";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
@@ -10,7 +12,7 @@ import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, source } from "../state/drawing";
 import { mesh } from "../state/mesh";
 import { mode } from "../state/mode";
-import { frame, run } from "../state/play";
+import { frame } from "../state/play";
 
 /** Which part of the plane the stage shows; null: all that was drawn. */
 export const camera = signal<Camera | null>(null);
@@ -27,8 +29,7 @@ export const scene = computed<StageScene>(() => {
 export const whole = computed(() => drawing.value?.points ?? emptyScene.points);
 
 function ofRun(): StageScene | null {
-  // The run before is gone before its last frame is.
-  if (!run.value || !frame.value) return null;
+  if (!frame.value) return null;
   const { points, edges, locked, triangles } = frame.value;
   return { points, edges, locked, triangles, values: null, hasDots: true };
 }
@@ -39,10 +40,11 @@ function ofMesh(): StageScene | null {
   return { points, edges, locked: null, triangles, values: null, hasDots: false };
 }
 
-/** What is drawn over the scene: what explains it, and the drawing that is being edited. */
-export const above = computed(() => [...overlays.value, drawn]);
+/** What is drawn over the scene: what explains it, and the drawing that is being edited; or the game. */
+export const above = computed(() => [...overlays.value, drawn, ...(mode.value === "predict" ? [game] : [])]);
 
 export function Stages() {
+  if (mode.value === "race") return <RaceStages camera={camera} whole={whole} source={source} />;
   return (
     <Beside>
       <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />

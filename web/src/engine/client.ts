@@ -37,11 +37,11 @@ const module = WebAssembly.compileStreaming(fetch(wasm));
 /** A worker that may be ended and comes back. */
 export class Client {
   private living: Promise<Living> | undefined;
-  private restore: (engine: Engine) => Promise<void> = async () => {};
+  private readonly restores: ((engine: Engine) => Promise<void>)[] = [];
 
-  /** Says how a new worker gets what the one before had; done before anything else is asked of it. */
+  /** Says how a new worker gets what the one before had; done, in order, before anything else is asked of it. */
   onRestart(restore: (engine: Engine) => Promise<void>): void {
-    this.restore = restore;
+    this.restores.push(restore);
   }
 
   /** Asks something of the worker. Rejected with `Cancelled` when somebody calls `cancel` meanwhile. */
@@ -77,7 +77,7 @@ export class Client {
     });
     end.catch(() => {});
     await engine.start(await module);
-    await this.restore(engine);
+    for (const restore of this.restores) await restore(engine);
     return { engine, end, kill };
   }
 }

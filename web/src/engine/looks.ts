@@ -4,7 +4,7 @@ import { transfer } from "comlink";
 import type { Looker, Player } from "../wasm/delone.js";
 import { Past } from "./past";
 import { at } from "./players";
-import type { Arrivals, CircleSide, Happening, Indices, Judged, Nearest } from "./protocol";
+import type { Arrivals, CircleSide, Happening, Indices, Judged, JudgedEdges, Nearest } from "./protocol";
 
 const pasts = new WeakMap<Player, Past>();
 
@@ -19,10 +19,21 @@ export const looks = {
   arrivals: (slot: number, position: number): Arrivals => pastOf(slot).arrivals(position),
 
   /** Judges the edges of the scene, exactly. */
-  judged(slot: number, position: number): Judged {
+  edges(slot: number, position: number): JudgedEdges {
     const player = stand(slot, position);
     const [cocircular, illegal] = [player.cocircular(), player.illegal()];
     return transfer({ cocircular, illegal }, [cocircular.buffer, illegal.buffer]);
+  },
+
+  /** Judges whether a vertex is in the circle through three others, exactly; null: there is no circle. */
+  judged(
+    slot: number,
+    position: number,
+    [a, b, c, d]: readonly [number, number, number, number],
+  ): Judged | null {
+    const player = stand(slot, position);
+    const side = JSON.parse(player.side(a, b, c, d));
+    return side && { ...side, circle: JSON.parse(player.circle(a, b, c)) };
   },
 
   /** On which side of the circle through three vertices others lie, exactly; nowhere if the three are on one line. */

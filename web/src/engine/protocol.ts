@@ -149,6 +149,53 @@ export interface Tally {
   lastConflicts: number | null;
 }
 
+/** What a race goes by: the amount that all have used. */
+export const clocks = ["predicates", "milliseconds", "steps"] as const;
+export type Clock = (typeof clocks)[number];
+
+/** Numbers that change over a run, in the order in which they are shown. */
+export const curves = [
+  "conflicts",
+  "queue",
+  "triangles",
+  "edges",
+  "vertices",
+  "flips",
+  "predicates",
+  "minAngle",
+] as const;
+export type CurveName = (typeof curves)[number];
+
+/** What a step may be searched by. */
+export type Condition =
+  | { kind: string }
+  | { line: number }
+  | { vertex: number }
+  | { edge: [number, number] }
+  | { curve: CurveName; below: number }
+  | { curve: CurveName; above: number }
+  | { stage: string };
+
+/** Where a search has ended, and by which of its conditions. */
+export interface Stop {
+  position: number;
+  which: number;
+}
+
+/** What is said of a step. */
+export interface Told {
+  step: Step | null;
+  narration: string;
+}
+
+/** A run that has not been kept: what it counts, and how long it took. */
+export interface Measured {
+  algorithm: string;
+  tally: Tally;
+  hash: string;
+  milliseconds: number;
+}
+
 /** good: comes, or may stay. bad: goes, or must. asked: is looked at. */
 export type Tone = "good" | "bad" | "asked";
 
@@ -195,6 +242,8 @@ export interface Frame {
   clusters: Float64Array;
   step: Step | null;
   narration: string;
+  /** What has been done up to here. */
+  tally: Tally;
 }
 
 /** Stands for no vertex. */
@@ -294,7 +343,7 @@ export interface Arrivals {
 }
 
 /** Edges with their two ends and the two corners opposite: four numbers each. */
-export interface Judged {
+export interface JudgedEdges {
   /** The four lie on one circle, exactly. */
   cocircular: Indices;
   /** Not locally Delaunay, and not locked. */
@@ -305,6 +354,11 @@ export interface Judged {
 export interface CircleSide {
   side: "inside" | "on" | "outside";
   counts: "inside" | "outside";
+}
+
+/** The same, with the circle, rounded. */
+export interface Judged extends CircleSide {
+  circle: { center: [number, number]; radius: number } | null;
 }
 
 /** The vertex nearest to a place, and the triangles through which the search has come. */

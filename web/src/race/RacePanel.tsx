@@ -1,12 +1,110 @@
-// Several algorithms beside each other.
+// Several algorithms beside each other: who, how it ended, and all of them in a table.
 
-import { words } from "../words";
+import { CheckIcon, RemoveIcon } from "../app/icons";
+import { AlgorithmList } from "../play/AlgorithmChoice";
+import { titleOf } from "../play/described";
+import "../play/play.css";
+import { algorithms } from "../state/play";
+import { clock, isFinished, lanes, racers } from "../state/race";
+import { count, number, words } from "../words";
+import { Compare } from "./Compare";
+import { FEWEST, MOST, places, testsOf, usual, withRacer } from "./racing";
+import "./race.css";
 
 export function RacePanel() {
+  return (
+    <>
+      <Racers />
+      <Result />
+      <Compare />
+    </>
+  );
+}
+
+function Racers() {
   const say = words.value.race;
+  const all = racers.value;
   return (
     <section aria-labelledby="race-heading">
-      <h2 id="race-heading">{say.heading}</h2>
+      <h2 id="race-heading">{say.racers}</h2>
+      {all.map((name, lane) => (
+        <div key={lane} class="racer">
+          <select
+            class="wide"
+            aria-label={say.racer(lane + 1)}
+            value={name}
+            onChange={(event) => {
+              racers.value = withRacer(all, lane, event.currentTarget.value);
+            }}
+          >
+            <AlgorithmList />
+          </select>
+          {lane === FEWEST && (
+            <button type="button" class="tool" aria-label={say.remove} title={say.remove} onClick={remove}>
+              <RemoveIcon />
+            </button>
+          )}
+        </div>
+      ))}
+      {all.length < MOST && (
+        <button type="button" onClick={add}>
+          {say.add}
+        </button>
+      )}
+    </section>
+  );
+}
+
+function remove(): void {
+  racers.value = racers.value.slice(0, FEWEST);
+}
+
+function add(): void {
+  const all = [...usual, ...algorithms.value.map(({ name }) => name)];
+  const free = all.find((name) => !racers.value.includes(name));
+  if (free) racers.value = [...racers.value, free];
+}
+
+// Room is kept for the table, so that nothing moves when the race ends.
+function Result() {
+  const say = words.value.race;
+  const all = lanes.value;
+  const order = places(
+    all.map(({ totals }) => totals),
+    clock.value,
+  );
+  const isSame = all.every(({ run }) => run.hash === all[0].run.hash);
+  const ranked = all.map((lane, i) => ({ ...lane, place: order[i] })).sort((a, b) => a.place - b.place);
+  return (
+    <section aria-labelledby="result-heading" class="race-result" data-done={isFinished.value}>
+      <h2 id="result-heading">{say.result}</h2>
+      <table class="figures">
+        <thead>
+          <tr>
+            <th scope="col">{say.place}</th>
+            <th scope="col">{say.algorithm}</th>
+            <th scope="col">{say.lane.tests}</th>
+            <th scope="col">{say.lane.steps}</th>
+            <th scope="col">ms</th>
+          </tr>
+        </thead>
+        <tbody>
+          {ranked.map(({ slot, place, run, totals }) => (
+            <tr key={slot}>
+              <td class="figure">{say.finished(place)}</td>
+              <th scope="row">{titleOf(run.algorithm, run.title)}</th>
+              <td class="figure">{count(testsOf(run.tally))}</td>
+              <td class="figure">{count(run.tally.steps)}</td>
+              <td class="figure">{totals.milliseconds === null ? "–" : number(totals.milliseconds, 3)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {all.length > 0 && (
+        <p class={isSame ? "same" : "quiet"}>
+          {isSame && <CheckIcon />} {isSame ? say.same : say.different}
+        </p>
+      )}
     </section>
   );
 }

@@ -40,11 +40,10 @@ export interface Seen {
 
 const play: Mode[] = ["play"];
 const scenes: Mode[] = ["play", "mesh"];
-const run: Mode[] = ["play", "predict", "race"];
 
 /** All that can be switched, in the order in which it is listed. */
 export const all: Seen[] = [
-  { name: "marks", group: "step", modes: run, swatch: "dot", colour: "good", overlay: marks },
+  { name: "marks", group: "step", modes: play, swatch: "dot", colour: "good", overlay: marks },
   { name: "circle", group: "step", modes: play, swatch: "ring", colour: "bad", overlay: circle },
   { name: "walk", group: "step", modes: play, swatch: "way", colour: "sweep", overlay: walk },
   { name: "waiting", group: "step", modes: play, swatch: "number", colour: "asked", overlay: waiting },

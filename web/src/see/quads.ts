@@ -18,7 +18,7 @@ const judged = asked(
   stage,
   () =>
     looksAt("illegal", "cocircular") || (isLifted.value && mode.value === "play") ? standing.value : null,
-  (engine, { position }) => engine.looks.judged(SLOT, position),
+  (engine, { position }) => engine.looks.edges(SLOT, position),
 );
 
 /** Edges that are not locally Delaunay nor constraints: ends and opposite corners, four numbers each. Exact in a run; in a mesh those that are so for certain. Null: nobody knows. */

@@ -28,6 +28,9 @@ let stopHere = new AbortController();
 /** The job that is under way in a worker; null if there is none. */
 export const jobOf = (client: Client): Signal<Job | null> => running.get(client)!;
 
+/** Whether a drawing is being made: other work on the stage would cancel that. */
+export const isDrawing = computed(() => running.get(stage)?.value?.name === "draw");
+
 /** All jobs that are under way. */
 export const jobs = computed(() =>
   [...running.values(), here].flatMap(({ value }): Job[] => (value ? [value] : [])),

@@ -76,10 +76,13 @@ async function openOf({ open: names, preset, drawing: packed }: Address, broken:
 
 /** Goes to a position once the run is there. */
 function goTo(at: number): void {
-  const stop = effect(() => {
-    if (!run.value) return;
-    queueMicrotask(() => stop());
-    seek(at);
+  // The run before is given up soon after what it was made of has changed.
+  setTimeout(() => {
+    const stop = effect(() => {
+      if (!run.value) return;
+      queueMicrotask(() => stop());
+      seek(at);
+    });
   });
 }
 

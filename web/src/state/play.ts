@@ -1,11 +1,13 @@
 // The run on the stage: which algorithm, where it stands, and the scene there.
 
 import { batch, computed, effect, signal } from "@preact/signals";
-import { stage } from "../engine/client";
+import { type Engine, stage } from "../engine/client";
 import type { Algorithm, Direction, Frame, NamedBytes, Run, RunOptions, Source } from "../engine/protocol";
+import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, open, recipe } from "./drawing";
-import { work } from "./job";
-import { mode } from "./mode";
+import { follow } from "./follow";
+import { isDrawing, work } from "./job";
+import { type Mode, mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
 
@@ -24,12 +26,16 @@ export const algorithm = computed(() => algorithms.value.find((each) => each.nam
 /** The run; null while there is none. */
 export const run = signal<Run | null>(null);
 
+/** The run; while another one is made, the one before: so that panels do not flicker. */
+export const shownRun = signal<Run | null>(null);
+
 /** Where it is to stand, and the scene that is shown: on its way there, a step behind at most. */
 export const position = signal(0);
 export const frame = signal<Frame | null>(null);
 
-/** Whether it plays, and how many steps a second. */
+/** Whether it plays, which way, and how many steps a second; infinitely many: as fast as it goes. */
 export const isPlaying = signal(false);
+export const heading = signal<Direction>("next");
 export const speed = signal(8);
 
 /** The log that is played instead of a run that was made here. */
@@ -43,26 +49,45 @@ stage.onRestart(async (engine) => {
   else if (lost) await engine.players.run(SLOT, lost.algorithm, options.peek());
 });
 
-/** Runs the chosen algorithm on the drawing, and stands at `at`. */
+/** Counts how often a run was asked for. */
+let call = 0;
+
+/** Runs the chosen algorithm on the drawing, and stands at `at`, or at the end if that is nearer. */
 export async function start(at = 0): Promise<void> {
+  const asked = follower.accept();
+  call += 1;
+  const mine = call;
   isPlaying.value = false;
   run.value = null;
   log = null;
-  const made = await work(stage, "run", (engine) => engine.players.run(SLOT, chosen.peek(), options.peek()));
+  const [what, how, said] = [chosen.peek(), options.peek(), language.peek()];
+  const made = await work(stage, "run", async (engine, progress) => {
+    const run = await engine.players.run(SLOT, what, how, progress);
+    const place = Math.min(at, run.length);
+    return { run, frame: await engine.players.frame(SLOT, place, said) };
+  });
+  // Cancelled, perhaps by other work: whoever comes back to play gets it.
+  if (!made) follower.forget(asked);
+  // What is shown stays if there is more to come: another call, or another drawing.
+  if (!made && (call !== mine || isDrawing.peek())) return;
   batch(() => {
-    run.value = made ?? null;
-    if (!made) frame.value = null;
-    position.value = Math.min(at, made?.length ?? 0);
+    run.value = made?.run ?? null;
+    shownRun.value = run.value;
+    frame.value = made?.frame ?? null;
+    position.value = made?.frame.position ?? 0;
   });
 }
+
+/** Whether the drawing of a log is being made: its run is there already. */
+const isAdopting = signal(false);
 
 /** Plays the log of a run, on a drawing of what it began with; returns whether that went well. */
 export async function playLog(file: NamedBytes): Promise<boolean> {
   const made = await work(stage, "run", (engine) => engine.players.open(SLOT, file));
   if (!made) return false;
-  isAdopting = true;
+  isAdopting.value = true;
   try {
-    if (mode.peek() === "mesh") mode.value = "play";
+    if (!watched.includes(mode.peek())) mode.value = "play";
     const frames = [0, made.length].map((at) =>
       stage.ask((engine) => engine.players.frame(SLOT, at, language.peek())),
     );
@@ -73,11 +98,13 @@ export async function playLog(file: NamedBytes): Promise<boolean> {
     tell(error);
     return false;
   } finally {
-    isAdopting = false;
+    isAdopting.value = false;
   }
   log = file;
+  follower.accept();
   batch(() => {
     run.value = made;
+    shownRun.value = made;
     frame.value = null;
     position.value = 0;
   });
@@ -108,38 +135,63 @@ export async function jump(direction: Direction, kind: string): Promise<void> {
   seek(found ?? end);
 }
 
-// A drawing or an algorithm that changes makes another run. While the drawing is only edited, it stands where the one
-// before stood, and at the end if that did; whatever else is drawn is seen bare until its run is there.
-let wanted: unknown[] = [];
-let isAdopting = false;
-/** Where it stood when the last edit came: edits may come faster than runs. */
-let ended = 0;
-effect(() => {
-  const next = [drawing.value, chosen.value, options.value, recipe.value.source];
-  if (!drawing.value || algorithms.value.length === 0) return;
-  if (next.slice(0, 3).every((part, i) => part === wanted[i])) return;
-  // Whoever meshes a million points does not want to watch, step by step, how that is done.
-  if (mode.value === "mesh") return forget();
-  const isEdited = next.slice(1).every((part, i) => part === wanted[i + 1]);
-  wanted = next;
-  if (!isEdited) frame.value = null;
-  if (!isAdopting) void start(isEdited ? standing() : 0);
-});
+/** Finds where the next breakpoint that is on stops the run; null if none does. */
+export async function nextStop(direction: Direction, from: number): Promise<Stopped | null> {
+  const wanted = active.peek();
+  if (wanted.length === 0 || !run.peek()) return null;
+  const conditions = wanted.map(({ condition }) => condition);
+  const found = await stage.ask((engine) =>
+    engine.players.stop(SLOT, conditions, from, direction === "previous"),
+  );
+  return found ? { position: found.position, breakpoint: wanted[found.which] } : null;
+}
 
-/** Gives up a run that is of something else by now. */
-function forget(): void {
-  batch(() => {
-    run.value = null;
+/** Goes to the next, or the previous, breakpoint; to the end, or the beginning, if there is none. */
+export async function jumpToStop(direction: Direction): Promise<void> {
+  isPlaying.value = false;
+  try {
+    const found = await nextStop(direction, position.peek());
+    stopped.value = found;
+    seek(found?.position ?? (direction === "next" ? (run.peek()?.length ?? 0) : 0));
+  } catch (error) {
+    tell(error);
+  }
+}
+
+/** Asks something about the run on the stage. */
+export const askRun = <T>(
+  question: (engine: Pick<Engine, "players" | "looks">, slot: number) => Promise<T>,
+): Promise<T> => stage.ask((engine) => question(engine, SLOT));
+
+// A drawing or an algorithm that changes makes another run; where nobody watches one, not before somebody comes back.
+const watched: Mode[] = ["play", "predict"];
+const follower = follow(
+  () =>
+    drawing.value && algorithms.value.length > 0 && watched.includes(mode.value)
+      ? [drawing.value, chosen.value, options.value]
+      : null,
+  computed(() => isDrawing.value || isAdopting.value),
+  () => void start(place()),
+);
+
+// While a drawing is edited, or an option turned, the run stands where it stood: at its end, or so far.
+let shown: unknown[] = [];
+function place(): number {
+  const [before, now] = [shown, [recipe.peek().source, chosen.peek()]];
+  shown = now;
+  if (now.some((part, i) => part !== before[i])) {
     frame.value = null;
-  });
+    return 0;
+  }
+  const last = frame.peek()?.position ?? 0;
+  return last > 0 && last === shownRun.peek()?.length ? Number.POSITIVE_INFINITY : last;
 }
 
-function standing(): number {
-  const [at, length] = [position.peek(), run.peek()?.length];
-  if (length === undefined) return ended;
-  ended = at === length ? Number.POSITIVE_INFINITY : at;
-  return ended;
-}
+// Lines of another algorithm are others.
+effect(() => {
+  void chosen.value;
+  forgetLines();
+});
 
 // The scene follows the position: one question at a time, and then for where it stands by now.
 let isLooking = false;

@@ -11,6 +11,9 @@ export type Words = typeof en;
 /** The words of the language that is chosen. */
 export const words = computed<Words>(() => (language.value === "de" ? de : en));
 
+/** Writes a whole number with all of its digits. */
+export const count = (value: number): string => value.toLocaleString(language.value);
+
 /** Writes a number as people of the language do. */
 export const number = (value: number, digits = 6): string =>
   value.toLocaleString(language.value, { maximumSignificantDigits: digits });

@@ -27,4 +27,5 @@ export const app: Words["app"] = {
   actions: { save: "Speichern …" },
   dismiss: "Schließen",
   skip: "Zur Bühne springen",
+  space: "Leertaste",
 };

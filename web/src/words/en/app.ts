@@ -25,4 +25,5 @@ export const app = {
   actions: { save: "Save …" },
   dismiss: "Dismiss",
   skip: "Skip to the stage",
+  space: "Space",
 };

@@ -1,0 +1,27 @@
+// What has just been done, in a sentence. It is read out while one can listen: not while the run plays fast.
+
+import { stopped } from "../state/breakpoints";
+import { frame, heading, isPlaying, position, shownRun, speed } from "../state/play";
+import { words } from "../words";
+import { sayCondition } from "./conditions";
+
+/** Steps a second beyond which nobody listens. */
+const LISTENING = 1;
+
+export function Narration() {
+  const say = words.value.play;
+  const shown = frame.value;
+  const isFast = isPlaying.value && speed.value > LISTENING;
+  const here = stopped.value?.position === position.value ? stopped.value : null;
+  const isEnd = shown !== null && shown.position > 0 && shown.position === shownRun.value?.length;
+  return (
+    <section class="narration" aria-live={isFast ? "off" : "polite"} data-way={heading.value}>
+      <p>{shown?.narration || say.begin}</p>
+      <p class="quiet narration-note">
+        {here && <strong>{say.breakpoints.stopped(sayCondition(here.breakpoint.condition))}</strong>}
+        {!here && isEnd && say.end}
+        {!here && !isEnd && shown?.step && <code>{shown.step.kind}</code>}
+      </p>
+    </section>
+  );
+}

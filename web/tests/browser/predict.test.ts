@@ -1,0 +1,87 @@
+// The guessing game, by keyboard and by pointer.
+
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { Theatre } from "./page";
+
+let theatre: Theatre;
+beforeAll(async () => {
+  theatre = await Theatre.open();
+});
+afterAll(() => theatre.close());
+
+const question = "Which of the three is flipped next?";
+
+async function open(algorithm: string): Promise<Page> {
+  const page = await theatre.visit();
+  await page.getByRole("combobox", { name: "Algorithm" }).selectOption(algorithm);
+  await page.getByText("Before the first step.").waitFor();
+  await page.getByRole("button", { name: "Predict" }).click();
+  return page;
+}
+
+const verdict = (page: Page) => page.locator(".verdict");
+
+/** The numbers of the score: right, asked. */
+const points = async (page: Page) =>
+  (await page.locator(".score dd").first().textContent())?.split("/").map(Number);
+
+test("flips are guessed by keyboard", async () => {
+  const page = await open("flip-list");
+  let right = 0;
+  for (let round = 1; round <= 4; round++) {
+    await page.getByText(question).waitFor();
+    await page.keyboard.press(String(1 + (round % 3)));
+    await verdict(page).waitFor();
+    if ((await verdict(page).textContent()) === "Right!") right += 1;
+    await page.getByText(/Edge \d+–\d+ is flipped to/).waitFor();
+    expect(await points(page)).toEqual([right, round]);
+    await page.keyboard.press("Enter");
+  }
+  await page.getByText(question).waitFor();
+  await page.keyboard.press("h");
+  expect(await page.getByRole("button", { name: "Hint" }).getAttribute("aria-pressed")).toBe("true");
+  await page.screenshot({ path: "test-results/predict.png" });
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("exactly one of the three is right", async () => {
+  let right = 0;
+  for (const key of ["1", "2", "3"]) {
+    const page = await open("flip-list");
+    await page.getByText(question).waitFor();
+    await page.keyboard.press(key);
+    await verdict(page).waitFor();
+    if ((await verdict(page).textContent()) === "Right!") right += 1;
+    await page.context().close();
+  }
+  expect(right).toBe(1);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("any edge may be guessed, with the arrow keys or on the stage", async () => {
+  const page = await open("greedy-flips");
+  await page.getByRole("radio", { name: "any edge" }).check();
+  await page.getByText("Which edge is flipped next?").waitFor();
+  await page.locator(".predict-bar").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await verdict(page).waitFor();
+  await page.keyboard.press("Enter");
+  await page.getByText("Which edge is flipped next?").waitFor();
+  // Somewhere in the middle an edge is near.
+  const box = (await page.locator("#stage .stage").boundingBox())!;
+  for (let x = 0.4; x < 0.6 && (await verdict(page).count()) === 0; x += 0.02)
+    await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+  await verdict(page).waitFor();
+  expect(await points(page)).toHaveLength(2);
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("who makes no flips offers others", async () => {
+  const page = await open("divide-and-conquer");
+  await page.getByText("This algorithm makes no flips here.").first().waitFor();
+  await page.getByRole("button", { name: "Greedy flips with a work list" }).click();
+  await page.getByText(question).waitFor();
+  expect(theatre.complaints).toEqual([]);
+});
