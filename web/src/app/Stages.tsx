@@ -2,12 +2,15 @@
 
 import { computed, signal } from "@preact/signals";
 import { drawn } from "../drawing/drawn";
+import { shades } from "../mesh/colours";
+import { follows } from "../mesh/follow";
+import { inspection } from "../mesh/overlay";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
 import { Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, source } from "../state/drawing";
-import { mesh } from "../state/mesh";
+import { isOutdated, mesh } from "../state/mesh";
 import { mode } from "../state/mode";
 import { frame, run } from "../state/play";
 
@@ -33,13 +36,18 @@ function ofRun(): StageScene | null {
 }
 
 function ofMesh(): StageScene | null {
-  if (!mesh.value) return null;
-  const { points, edges, triangles } = mesh.value;
-  return { points, edges, locked: null, triangles, values: null, hasDots: false };
+  // One that will not follow by itself would hide what is being drawn.
+  if (!mesh.value || (isOutdated.value && !follows.value)) return null;
+  const { points, edges, locked, triangles } = mesh.value;
+  return { points, edges, locked, triangles, values: shades.value, hasDots: false };
 }
 
 /** What is drawn over the scene: what explains it, and the drawing that is being edited. */
-export const above = computed(() => [...overlays.value, drawn]);
+export const above = computed(() => [
+  ...overlays.value,
+  drawn,
+  ...(mode.value === "mesh" ? [inspection] : []),
+]);
 
 export function Stages() {
   return <Stage scene={scene} overlays={above} camera={camera} whole={whole} source={source} />;
