@@ -143,3 +143,10 @@ export const PasteIcon = () => (
     <path d="M9 4h6v3H9zM9 5H5v16h14V5h-4" />
   </Icon>
 );
+
+/** An arrow to what lies across. */
+export const AcrossIcon = () => (
+  <Icon>
+    <path d="M4 12h15M13 6l6 6-6 6" />
+  </Icon>
+);

@@ -28,7 +28,7 @@ export const meshes = {
   /** Meshes the drawing; if that fails, the mesh before is still there. */
   make(kind: MeshKind, options: MeshOptions, progress: Progress): MeshData {
     const begin = performance.now();
-    const made = build(kind, JSON.stringify(options), progress);
+    const made = build(kind, options, progress);
     const milliseconds = performance.now() - begin;
     current?.free();
     current = made;
@@ -62,14 +62,14 @@ export const meshes = {
     takeFiles(mesh().saveCells(name, JSON.stringify(options))),
 };
 
-function build(kind: MeshKind, options: string, progress: Progress): Mesh {
+function build(kind: MeshKind, options: MeshOptions, progress: Progress): Mesh {
   switch (kind) {
     case "triangulate":
       return Mesh.triangulate(drawing(), progress);
     case "constrain":
-      return Mesh.constrain(drawing(), options, progress);
+      return Mesh.constrain(drawing(), JSON.stringify(options), progress);
     case "refine":
-      return Mesh.refine(drawing(), options, progress);
+      return Mesh.refine(drawing(), JSON.stringify({ ...options, explains: true }), progress);
   }
 }
 

@@ -217,8 +217,6 @@ export interface MeshOptions {
   smoothing?: number;
   conforming?: boolean;
   thesis?: boolean;
-  /** Whether to keep why each vertex was added. */
-  explains?: boolean;
 }
 
 /** Points alone; points and segments; or these and vertices added until triangles are good. */

@@ -2,14 +2,15 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { SaveIcon } from "../app/icons";
 import { stage } from "../engine/client";
 import type { Preset } from "../engine/protocol";
-import { drawing, drawingName } from "../state/drawing";
+import { openSave } from "../files/dialogs";
+import { drawing } from "../state/drawing";
 import { asked, mesh } from "../state/mesh";
 import { tell } from "../state/notices";
 import { words } from "../words";
 import { commandOf } from "./command";
-import { saveMesh, saveReport } from "./elsewhere";
 
 export function Export() {
   const say = words.value.mesh.export;
@@ -32,16 +33,13 @@ function Files({ isRefined }: { isRefined: boolean }) {
   const say = words.value.mesh.export;
   return (
     <section class="mesh-files">
-      <button type="button" onClick={() => void saveMesh("vtu")}>
-        {say.mesh} (.vtu)
-      </button>
-      <button type="button" onClick={() => void saveMesh("ele")}>
-        {say.mesh} (.ele)
+      <button type="button" onClick={() => openSave("mesh")}>
+        <SaveIcon /> {say.mesh}
       </button>
       {isRefined && (
         <>
-          <button type="button" onClick={() => void saveReport(say.headline(drawingName.value))}>
-            {say.report}
+          <button type="button" onClick={() => openSave("report")}>
+            <SaveIcon /> {say.report}
           </button>
           <small class="quiet">{say.reportHint}</small>
         </>

@@ -1,5 +1,6 @@
 // All about the triangle that is asked about.
 
+import { AcrossIcon } from "../app/icons";
 import type { Corner, Explanation, Shortfall } from "../engine/protocol";
 import { mesh } from "../state/mesh";
 import { number, words } from "../words";
@@ -83,7 +84,7 @@ function Corners({ of: { corners, angles, edges } }: { of: Explanation }) {
                   title={say.across(a, b)}
                   onClick={() => goAcross(k)}
                 >
-                  →
+                  <AcrossIcon />
                 </button>
               </td>
             </tr>

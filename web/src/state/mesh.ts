@@ -5,7 +5,7 @@ import { batch, computed, effect, signal } from "@preact/signals";
 import { type Engine, mesher, told } from "../engine/client";
 import type { Measure, MeshData, MeshKind, MeshOptions, Recipe } from "../engine/protocol";
 import { counting } from "./asked";
-import { recipe } from "./drawing";
+import { recipe, source } from "./drawing";
 import { jobOf, work } from "./job";
 import { tell } from "./notices";
 
@@ -67,11 +67,11 @@ export async function build(): Promise<boolean> {
   isBuilding = true;
   const done = await work(mesher, "mesh", async (engine, progress) => {
     await engine.drawings.keep(what.recipe);
-    const data = await engine.meshes.make(what.kind, { ...what.options, explains: true }, progress);
+    const data = await engine.meshes.make(what.kind, what.options, progress);
     return { data, values: await engine.meshes.measures(by) };
   });
   isBuilding = isBusy.peek();
-  if (!done || recipe.peek().source !== what.recipe.source) return false;
+  if (!done || source.peek() !== what.recipe.source) return false;
   batch(() => {
     made.value = what;
     mesh.value = done.data;
@@ -100,13 +100,12 @@ mesher.onRestart(async (engine) => {
   await engine.drawings.keep(lost.recipe);
   await engine.meshes.make(
     lost.kind,
-    { ...lost.options, explains: true },
+    lost.options,
     told(() => {}),
   );
 });
 
 // A mesh of something else is none of this drawing; one that is only edited keeps it.
-const source = computed(() => recipe.value.source);
 effect(() => {
   void source.value;
   batch(() => {

@@ -202,10 +202,9 @@ export const mesh: Words["mesh"] = {
     by: "was zu nahe lag",
   },
   export: {
-    mesh: "Netz speichern",
-    report: "Bericht speichern",
+    mesh: "Netz speichern …",
+    report: "Bericht speichern …",
     reportHint: "Eine Seite mit Bildern, Zahlen und dem, was nicht genügt.",
-    headline: (name) => `Netz von ${name}`,
     hash: "Prüfsumme",
     hashHint: "Der Name dieser Menge von Dreiecken, auf jeder Maschine derselbe.",
     copy: "Kopieren",

@@ -202,10 +202,9 @@ export const mesh = {
     by: "what lay too close",
   },
   export: {
-    mesh: "Save the mesh",
-    report: "Save the report",
+    mesh: "Save the mesh …",
+    report: "Save the report …",
     reportHint: "A page with pictures, figures and what falls short.",
-    headline: (name: string) => `Mesh of ${name}`,
     hash: "Hash",
     hashHint: "The name of this set of triangles, the same on every machine.",
     copy: "Copy",
