@@ -76,10 +76,13 @@ test("a large mesh is made with progress, cancelled at once, and made again", as
     }
     return gaps.sort((a, b) => a - b);
   });
-  const since = performance.now();
-  await cancel.click();
-  await cancel.waitFor({ state: "detached" });
-  const heard = performance.now() - since;
+  // Measured in the page: on its way there a click waits for much else.
+  const heard = await cancel.evaluate(async (button: HTMLElement) => {
+    const since = performance.now();
+    button.click();
+    while (button.isConnected) await new Promise(requestAnimationFrame);
+    return performance.now() - since;
+  });
   console.log(`median frame ${frames[10].toFixed(0)} ms while meshing; cancelled in ${heard.toFixed(0)} ms`);
   expect(heard).toBeLessThan(500);
   await panel(page).getByText("Other options are chosen by now.").waitFor();
@@ -158,6 +161,9 @@ test("a triangle explains itself, and arrows go to its neighbours", async () => 
 
 test("saved files are read again to the same triangles", async () => {
   const page = await visit("coast");
+  await page.getByLabel("Number of segments").fill("40");
+  await page.getByLabel("Number of segments").press("Enter");
+  await page.getByText("Points: 40,").waitFor();
   await panel(page).getByLabel("With segments").check();
   await meshIt(page).click();
   await triangles(page);
@@ -170,9 +176,9 @@ test("saved files are read again to the same triangles", async () => {
     await panel(page).getByRole("button", { name: "Save the mesh" }).click();
     const dialog = page.getByRole("dialog");
     await dialog.getByLabel("Format").selectOption(extension);
-    if (extension === "ele") await dialog.getByLabel(/one file/i).uncheck();
+    if (extension === "ele") await dialog.getByLabel("Several files as one .zip").uncheck();
     await dialog.getByRole("button", { name: "Save" }).click();
-    await expect.poll(() => saved.size).toBeGreaterThan(extension === "vtu" ? 0 : 3);
+    await expect.poll(() => saved.size).toBe(extension === "vtu" ? 1 : 5);
     // The file that was asked for comes first: it is the one that is opened.
     const names = [...saved.keys()].sort(
       (a, b) => Number(b.endsWith(extension)) - Number(a.endsWith(extension)),
@@ -204,8 +210,9 @@ function corners(points: Float64Array, triangles: Uint32Array): string[] {
 test("a million triangles are made and moved about", async () => {
   const page = await visit("uniform");
   await page.getByLabel("Number of points").fill("500000");
+  await page.getByLabel("Number of points").press("Enter");
   await panel(page).getByLabel("Delaunay triangulation").check();
-  await page.getByText("500,000").first().waitFor();
+  await page.getByText("Points: 500,000,").waitFor();
   await page.keyboard.press("Enter");
   expect(await triangles(page)).toBeGreaterThan(990_000);
   const box = (await page.locator(".stage-view").boundingBox())!;
