@@ -32,11 +32,11 @@ export function MeshPanel() {
           <button
             type="submit"
             class="mesh-build"
-            aria-label={say.build}
+            data-key={say.buildHint}
             aria-keyshortcuts="Enter"
             disabled={!drawing.value}
           >
-            {say.build} <kbd>{say.buildHint}</kbd>
+            {say.build}
           </button>
         </form>
         <Status />

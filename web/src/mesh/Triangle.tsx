@@ -121,7 +121,7 @@ function Origin({ of, k }: { of: Corner; k: number }) {
       type="button"
       class="mesh-origin"
       aria-pressed={isShown}
-      aria-label={`${say.show(number(of.vertex, 9))}: ${placeOf(of)}`}
+      title={say.show(number(of.vertex, 9))}
       onClick={() => {
         corner.value = k;
       }}
