@@ -3,15 +3,18 @@
 import { computed, signal } from "@preact/signals";
 import { drawn } from "../drawing/drawn";
 import { Beside } from "../lift/Beside";
+import { shades } from "../mesh/colours";
+import { follows } from "../mesh/follow";
+import { inspection } from "../mesh/overlay";
 import { game } from "../predict/overlay";
 import { RaceStages } from "../race/RaceStages";
 import { overlays } from "../see/overlays";
 import type { Camera } from "../stage/camera";
-import { Stage } from "../stage/Stage";
+import { type Overlay, Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, source } from "../state/drawing";
-import { mesh } from "../state/mesh";
-import { mode } from "../state/mode";
+import { isOutdated, mesh } from "../state/mesh";
+import { type Mode, mode } from "../state/mode";
 import { frame } from "../state/play";
 
 /** Which part of the plane the stage shows; null: all that was drawn. */
@@ -35,13 +38,17 @@ function ofRun(): StageScene | null {
 }
 
 function ofMesh(): StageScene | null {
-  if (!mesh.value) return null;
-  const { points, edges, triangles } = mesh.value;
-  return { points, edges, locked: null, triangles, values: null, hasDots: false };
+  // One that will not follow by itself would hide what is being drawn.
+  if (!mesh.value || (isOutdated.value && !follows.value)) return null;
+  const { points, edges, locked, triangles } = mesh.value;
+  return { points, edges, locked, triangles, values: shades.value, hasDots: false };
 }
 
-/** What is drawn over the scene: what explains it, and the drawing that is being edited; or the game. */
-export const above = computed(() => [...overlays.value, drawn, ...(mode.value === "predict" ? [game] : [])]);
+/** What the mode draws over everything else. */
+const ofMode: Partial<Record<Mode, Overlay>> = { predict: game, mesh: inspection };
+
+/** What is drawn over the scene: what explains it, and the drawing that is being edited. */
+export const above = computed<Overlay[]>(() => [...overlays.value, drawn, ofMode[mode.value] ?? []].flat());
 
 export function Stages() {
   if (mode.value === "race") return <RaceStages camera={camera} whole={whole} source={source} />;

@@ -144,6 +144,13 @@ export const PasteIcon = () => (
   </Icon>
 );
 
+/** An arrow to what lies across. */
+export const AcrossIcon = () => (
+  <Icon>
+    <path d="M4 12h15M13 6l6 6-6 6" />
+  </Icon>
+);
+
 /** A filled shape, as players of films have them. */
 const icon = (shape: string) => () => (
   <svg class="icon" viewBox="0 0 16 16" width="16" height="16" fill="currentColor" aria-hidden="true">

@@ -46,8 +46,13 @@ export class Client {
 
   /** Asks something of the worker. Rejected with `Cancelled` when somebody calls `cancel` meanwhile. */
   async ask<T>(question: (engine: Engine) => Promise<T>): Promise<T> {
-    this.living ??= this.start();
-    const { engine, end } = await this.living;
+    const starting = this.living ?? this.start();
+    this.living = starting;
+    // What could not be started is tried anew by the next question.
+    starting.catch(() => {
+      if (this.living === starting) this.living = undefined;
+    });
+    const { engine, end } = await starting;
     try {
       return await Promise.race([question(engine), end]);
     } catch (error) {

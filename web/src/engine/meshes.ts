@@ -4,7 +4,17 @@ import { transfer } from "comlink";
 import { Mesh } from "../wasm/delone.js";
 import { drawing } from "./drawings";
 import { takeFiles } from "./files";
-import type { MeshData, MeshKind, MeshOptions, NamedBytes, Progress, SaveOptions } from "./protocol";
+import type {
+  Explanation,
+  Language,
+  Measure,
+  MeshData,
+  MeshKind,
+  MeshOptions,
+  NamedBytes,
+  Progress,
+  SaveOptions,
+} from "./protocol";
 
 let current: Mesh | undefined;
 
@@ -15,16 +25,30 @@ function mesh(): Mesh {
 }
 
 export const meshes = {
-  /** Meshes the drawing. */
+  /** Meshes the drawing; if that fails, the mesh before is still there. */
   make(kind: MeshKind, options: MeshOptions, progress: Progress): MeshData {
-    current?.free();
-    current = undefined;
     const begin = performance.now();
-    const made = build(kind, JSON.stringify(options), progress);
+    const made = build(kind, options, progress);
     const milliseconds = performance.now() - begin;
+    current?.free();
     current = made;
     return look(made, kind, milliseconds);
   },
+
+  /** Measures every triangle. */
+  measures(measure: Measure): Float32Array {
+    const values = mesh().measures(measure);
+    return transfer(values, [values.buffer]);
+  },
+
+  /** Returns the triangle in which a place lies. */
+  triangleAt: (x: number, y: number): number | undefined => mesh().triangleAt(x, y),
+
+  /** Tells all about a triangle. */
+  explain: (triangle: number): Explanation => JSON.parse(mesh().explain(triangle)),
+
+  /** Says in a few sentences why a triangle is as it is. */
+  sentence: (triangle: number, language: Language): string => mesh().sentence(triangle, language),
 
   /** Writes the mesh; the extension of the name tells the format. */
   save: (name: string, options: SaveOptions): NamedBytes[] =>
@@ -38,14 +62,14 @@ export const meshes = {
     takeFiles(mesh().saveCells(name, JSON.stringify(options))),
 };
 
-function build(kind: MeshKind, options: string, progress: Progress): Mesh {
+function build(kind: MeshKind, options: MeshOptions, progress: Progress): Mesh {
   switch (kind) {
     case "triangulate":
       return Mesh.triangulate(drawing(), progress);
     case "constrain":
-      return Mesh.constrain(drawing(), options, progress);
+      return Mesh.constrain(drawing(), JSON.stringify(options), progress);
     case "refine":
-      return Mesh.refine(drawing(), options, progress);
+      return Mesh.refine(drawing(), JSON.stringify({ ...options, explains: true }), progress);
   }
 }
 
@@ -56,11 +80,28 @@ function look(made: Mesh, kind: MeshKind, milliseconds: number): MeshData {
     triangles: made.triangles(),
     edges: made.edges(),
     constrained: made.constrained(),
+    locked: new Uint8Array(),
     unmet: made.unmet(),
     hash: made.hash(),
     quality: JSON.parse(made.quality()),
     milliseconds,
   };
-  const { points, triangles, edges, constrained } = data;
-  return transfer(data, [points.buffer, triangles.buffer, edges.buffer, constrained.buffer]);
+  data.locked = lockedOf(data);
+  const { points, triangles, edges, constrained, locked } = data;
+  return transfer(
+    data,
+    [points, triangles, edges, constrained, locked].map(({ buffer }) => buffer),
+  );
+}
+
+/** Marks the edges that are constraints. */
+function lockedOf({ points, edges, constrained }: MeshData): Uint8Array {
+  const vertices = points.length / 2;
+  const key = (a: number, b: number) => Math.min(a, b) * vertices + Math.max(a, b);
+  const keys = new Set<number>();
+  for (let e = 0; e < constrained.length; e += 2) keys.add(key(constrained[e], constrained[e + 1]));
+  const locked = new Uint8Array(edges.length / 2);
+  if (keys.size === 0) return locked;
+  for (let e = 0; e < edges.length; e += 2) locked[e / 2] = keys.has(key(edges[e], edges[e + 1])) ? 1 : 0;
+  return locked;
 }

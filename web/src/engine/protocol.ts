@@ -277,6 +277,8 @@ export interface MeshData {
   triangles: Indices;
   edges: Indices;
   constrained: Indices;
+  /** For each edge 1 if it is a constraint, else 0. */
+  locked: Uint8Array;
   /** The triangles that are not as asked. */
   unmet: Indices;
   hash: string;
@@ -305,6 +307,64 @@ export interface Quality {
   largestArea: number | null;
   area: number;
   minAngles: number[];
+}
+
+/** What can be measured of a triangle: angles are degrees; a ratio is 1 for an equilateral triangle, 0 for a flat one. */
+export const measures = ["minAngle", "maxAngle", "area", "longestEdge", "radiusRatio", "region"] as const;
+export type Measure = (typeof measures)[number];
+
+type Spot = [x: number, y: number];
+
+/** All that there is to say of a triangle. */
+export interface Explanation {
+  triangle: number;
+  corners: [number, number, number];
+  /** Degrees. */
+  angles: [number, number, number];
+  /** Lengths, each opposite its corner. */
+  edges: [number, number, number];
+  area: number;
+  region: number | null;
+  unmet: Shortfall | null;
+  vertices: [Corner, Corner, Corner];
+  circumcenter: Spot | null;
+  radius: number | null;
+  /** Whether no vertex at all lies within its circle, not even behind segments. */
+  isDelaunay: boolean;
+}
+
+/** What a triangle lacks, and why. */
+export interface Shortfall {
+  /** `angle`, `edge`, `area`; several with blanks between. */
+  broken: string;
+  reason: "smallInputAngle" | "lockedBoundary" | "precision" | "gradation" | "stopped" | "other";
+  excused: boolean;
+  corner: number | null;
+  segments: [number, number] | null;
+  /** Between the segments, in degrees. */
+  angle: number | null;
+}
+
+export interface Corner {
+  vertex: number;
+  at: Spot;
+  origin: "input" | "crossing" | "onSegment" | "free";
+  /** The segment that it lies on; null on the hull. */
+  segment: number | null;
+  /** The segments that cross there. */
+  segments: [number, number] | null;
+  cause: Cause | null;
+}
+
+/** Why a vertex was added. */
+export interface Cause {
+  rule: "circumcenter" | "rejectedCircumcenter" | "encroachment" | "size" | "lattice";
+  /** The corners of the triangle that was to go, or the ends of the edge that was divided. */
+  parent: Spot[];
+  edge: [Spot, Spot] | null;
+  /** The vertex that lay too close to that edge. */
+  by: number | null;
+  step: number;
 }
 
 export interface SaveOptions {

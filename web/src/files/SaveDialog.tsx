@@ -13,7 +13,7 @@ import { words } from "../words";
 import { ChoiceFields } from "./ChoiceFields";
 import { offered, type What, whats } from "./choices";
 import { Dialog } from "./Dialog";
-import { dialog } from "./dialogs";
+import { dialog, wanted } from "./dialogs";
 import { videoExtension } from "./record";
 import { type Chosen, save } from "./save";
 
@@ -39,10 +39,12 @@ export function SaveDialog() {
 function SaveForm() {
   const say = words.value.files;
   const formats = useSignal<Format[]>([]);
-  const what = useSignal<What>(mode.value === "mesh" && mesh.value ? "mesh" : "drawing");
+  const what = useSignal<What>(wanted.peek() ?? (mode.value === "mesh" && mesh.value ? "mesh" : "drawing"));
   const extension = useSignal("");
   const chosen = useSignal<Chosen>(usual);
   useEffect(() => {
+    // The next one may be opened without a wish.
+    wanted.value = null;
     stage
       .ask((engine) => engine.drawings.formats())
       .then((all) => {

@@ -1,58 +1,57 @@
-// What is asked of a mesh, and what came of it.
+// The page as a tool: what is asked of a mesh, what came of it, why it is so, and how to take it along.
 
-import type { MeshKind } from "../engine/protocol";
-import { build, kind, mesh, options } from "../state/mesh";
-import { number, words } from "../words";
+import { drawing } from "../state/drawing";
+import { build, mesh } from "../state/mesh";
+import { words } from "../words";
+import { Export } from "./Export";
+import { useKeys } from "./keys";
+import { Options } from "./Options";
+import { Quality } from "./Quality";
+import { Status } from "./Status";
+import { Tabs } from "./Tabs";
+import { Triangle } from "./Triangle";
+import { tab, tabs } from "./tab";
+import "./mesh.css";
 
-const kinds: MeshKind[] = ["triangulate", "constrain", "refine"];
+const contents = { options: Options, quality: Quality, triangle: Triangle, export: Export };
 
 export function MeshPanel() {
+  useKeys();
   const say = words.value.mesh;
+  const Content = contents[tab.value];
   return (
-    <section aria-labelledby="mesh-heading">
-      <h2 id="mesh-heading">{say.heading}</h2>
-      <label class="field">
-        {say.kind}
-        <select
-          value={kind.value}
-          onChange={(event) => {
-            kind.value = event.currentTarget.value as MeshKind;
+    <section aria-labelledby="mesh-heading" class="mesh">
+      <header class="mesh-head">
+        <h2 id="mesh-heading">{say.heading}</h2>
+        <form
+          onSubmit={(event) => {
+            event.preventDefault();
+            void build();
           }}
         >
-          {kinds.map((each) => (
-            <option key={each} value={each}>
-              {say.kinds[each]}
-            </option>
-          ))}
-        </select>
-      </label>
-      <label class="field">
-        {say.minAngle}
-        <input
-          type="number"
-          min="0"
-          max="40"
-          value={options.value.minAngle}
-          onChange={(event) => {
-            options.value = { ...options.value, minAngle: event.currentTarget.valueAsNumber || 0 };
-          }}
-        />
-      </label>
-      <button type="button" onClick={() => void build()}>
-        {say.build}
-      </button>
-      {mesh.value && (
-        <dl>
-          <dt>{say.triangles}</dt>
-          <dd>{number(mesh.value.quality.triangles)}</dd>
-          <dt>{say.vertices}</dt>
-          <dd>{number(mesh.value.quality.vertices)}</dd>
-          <dt>{say.hash}</dt>
-          <dd>
-            <code>{mesh.value.hash}</code>
-          </dd>
-        </dl>
-      )}
+          <button
+            type="submit"
+            class="mesh-build"
+            data-key={say.buildHint}
+            aria-keyshortcuts="Enter"
+            disabled={!drawing.value}
+          >
+            {say.build}
+          </button>
+        </form>
+        <Status />
+      </header>
+      <Tabs
+        names={tabs}
+        now={tab.value}
+        labels={say.tabs}
+        label={say.heading}
+        onChange={(name) => {
+          tab.value = name;
+        }}
+      >
+        <Content key={mesh.value === null ? "none" : "some"} />
+      </Tabs>
     </section>
   );
 }

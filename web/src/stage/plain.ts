@@ -76,7 +76,7 @@ function alike({ context, palette, size }: Pen, { triangles }: StageScene, place
 }
 
 function valued(
-  { context, size }: Pen,
+  { context, size, palette }: Pen,
   { triangles }: StageScene,
   places: Float64Array,
   values: Float32Array,
@@ -85,7 +85,7 @@ function valued(
   for (let t = 0; t < triangles.length; t += 3) {
     context.beginPath();
     trace(context, size, triangles, t, places);
-    context.fillStyle = context.strokeStyle = scale(values[t / 3]);
+    context.fillStyle = context.strokeStyle = values[t / 3] >= 0 ? scale(values[t / 3]) : palette.fill;
     context.fill();
     context.stroke();
   }

@@ -8,7 +8,7 @@ export interface StageScene {
   /** For each edge 1 if it is a constraint, else 0; null: none is. */
   locked: Uint8Array | null;
   triangles: Indices;
-  /** For each triangle from 0 (bad) to 1 (good), to be coloured by; null: all alike. */
+  /** For each triangle from 0 (bad) to 1 (good), to be coloured by; below 0: as if there were none; null: all alike. */
   values: Float32Array | null;
   /** Whether points are drawn as dots. */
   hasDots: boolean;

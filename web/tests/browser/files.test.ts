@@ -69,7 +69,7 @@ test("a mesh is saved as one .zip, and its files open together", async () => {
   const page = await theatre.visit("#mode=mesh&preset=thesis");
   await counts(page, 9, 9, 1);
   await page.getByRole("button", { name: "Mesh it" }).click();
-  await page.getByText("Triangles").waitFor();
+  await page.locator(".mesh-outcome").waitFor();
   const zip = await save(page, "Mesh", "ele");
   expect(zip.name).toBe("thesis.zip");
   const { unzipSync } = await import("fflate");

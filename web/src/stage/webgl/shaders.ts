@@ -43,7 +43,7 @@ void main() {
   gl_Position = onScreen(pixel(texelFetch(corners, cell(gl_VertexID), 0).x));
   float value = isValued ? texelFetch(values, cell(gl_VertexID / 3), 0).x : 0.0;
   int step = int(round(clamp(value, 0.0, 1.0) * float(textureSize(ramp, 0).x - 1)));
-  paint = isValued ? texelFetch(ramp, ivec2(step, 0), 0) : colour;
+  paint = isValued && value >= 0.0 ? texelFetch(ramp, ivec2(step, 0), 0) : colour;
 }
 `;
 
