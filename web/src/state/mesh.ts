@@ -6,7 +6,7 @@ import { type Engine, mesher, told } from "../engine/client";
 import type { Measure, MeshData, MeshKind, MeshOptions, Recipe } from "../engine/protocol";
 import { counting } from "./asked";
 import { recipe, source } from "./drawing";
-import { jobOf, work } from "./job";
+import { isDrawing, jobOf, work } from "./job";
 import { tell } from "./notices";
 
 /** What kind of mesh, and how good. */
@@ -63,6 +63,7 @@ let isBuilding = false;
 
 /** Meshes the drawing; whatever mesh is being made is given up. Returns whether that went well. */
 export async function build(): Promise<boolean> {
+  await drawn();
   const [what, by] = [asked.peek(), measure.peek()];
   isBuilding = true;
   const done = await work(mesher, "mesh", async (engine, progress) => {
@@ -78,6 +79,18 @@ export async function build(): Promise<boolean> {
     measured.value = { measure: by, values: done.values };
   });
   return true;
+}
+
+/** Waits until the drawing is there that somebody has chosen. */
+async function drawn(): Promise<void> {
+  if (!isDrawing.peek()) return;
+  let stop = () => {};
+  await new Promise<void>((done) => {
+    stop = isDrawing.subscribe((is) => {
+      if (!is) done();
+    });
+  });
+  stop();
 }
 
 /** Asks something about the mesh; `undefined` if that failed, or there is another one by now. */
