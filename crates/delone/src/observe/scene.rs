@@ -248,7 +248,9 @@ impl Scene {
         let has_ends = edge.iter().all(|&v| self.point(v).is_some());
         require(has_ends && edge[0] != edge[1], "an end is missing")?;
         require(self.edges.insert(ascending(edge)), "there is such an edge")?;
-        edge.iter().for_each(|v| self.degrees[v.index()] += 1);
+        for v in edge {
+            self.degrees[v.index()] += 1;
+        }
         Ok(())
     }
 
@@ -261,7 +263,9 @@ impl Scene {
             self.edges.remove(&ascending([a, b])),
             "there is no such edge",
         )?;
-        [a, b].map(|v| self.degrees[v.index()] -= 1);
+        for v in [a, b] {
+            self.degrees[v.index()] -= 1;
+        }
         Ok(())
     }
 
