@@ -1,54 +1,47 @@
-// The page: its head, the drawing on the left, the stage in the middle, what is done with it on the right.
+// The page: its head, the drawing, the stage, and what is done with it. They stand in the order in which they are read,
+// so that the focus goes the same way: from left to right where there is room, else from the stage down.
 
-import { DrawingPanel } from "../drawing/DrawingPanel";
-import { Toolbar, ToolHint } from "../drawing/Toolbar";
 import { DropZone } from "../files/DropZone";
 import { PasteDialog } from "../files/PasteDialog";
 import { SaveDialog } from "../files/SaveDialog";
-import { MeshPanel } from "../mesh/MeshPanel";
-import { PlayPanel } from "../play/PlayPanel";
-import { Transport } from "../play/Transport";
-import { PredictBar } from "../predict/PredictBar";
-import { PredictPanel } from "../predict/PredictPanel";
-import { RaceBar } from "../race/RaceBar";
-import { RacePanel } from "../race/RacePanel";
-import { SeePanel } from "../see/SeePanel";
 import { mode } from "../state/mode";
+import { FirstMinute } from "./FirstMinute";
 import { Header } from "./Header";
-import { Jobs } from "./Jobs";
-import { Notices } from "./Notices";
-import { Stages } from "./Stages";
+import { Help } from "./Help";
+import { hasLeft, hasRight, isSingle, openPanel, size } from "./layout";
+import { Middle } from "./Middle";
+import { Left, Right } from "./Panels";
+import { PanelTabs } from "./PanelTabs";
+import { readiness } from "./readiness";
 import { useShortcuts } from "./shortcuts";
 import "./app.css";
-
-const panels = { play: PlayPanel, predict: PredictPanel, race: RacePanel, mesh: MeshPanel };
-const bars = { play: Transport, predict: PredictBar, race: RaceBar, mesh: null };
+import "./panels.css";
 
 export function App() {
   useShortcuts();
-  const Panel = panels[mode.value];
-  const Bar = bars[mode.value];
+  const stage = <Middle key="stage" />;
+  const isWide = size.value === "wide";
   return (
-    <div class="app" data-mode={mode.value}>
-      <Header />
-      <aside class="side">
-        <DrawingPanel />
-        <SeePanel />
-      </aside>
-      <main class="middle" id="stage" tabIndex={-1}>
-        <Stages />
-        <Toolbar />
-        <ToolHint />
-        <Jobs />
-        <Notices />
-        {Bar && <Bar />}
-      </main>
-      <aside class="work">
-        <Panel />
-      </aside>
-      <DropZone />
-      <PasteDialog />
-      <SaveDialog />
+    <div
+      class="app"
+      data-mode={mode.value}
+      data-size={size.value}
+      data-ready={readiness.value === "ready"}
+      data-left={hasLeft.value}
+      data-right={hasRight.value}
+      data-open={openPanel.value ?? "none"}
+    >
+      <Header key="head" />
+      {!isWide && stage}
+      {isSingle.value && <FirstMinute key="first" isShort />}
+      {isSingle.value && <PanelTabs key="tabs" />}
+      <Left key="left" />
+      {isWide && stage}
+      <Right key="right" />
+      <DropZone key="drop" />
+      <PasteDialog key="paste" />
+      <SaveDialog key="save" />
+      <Help key="help" />
     </div>
   );
 }

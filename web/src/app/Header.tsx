@@ -1,11 +1,11 @@
-// The head of the page: what to do, and how the page looks.
+// The head of the page: what to do, which panels are there, and a menu.
 
-import { LinkButton } from "../files/LinkButton";
 import { type Mode, mode, modes } from "../state/mode";
-import { language, type Theme, theme } from "../state/settings";
 import { words } from "../words";
-
-const themes: Theme[] = ["auto", "light", "dark"];
+import { LeftPanelIcon, Logo, RightPanelIcon } from "./icons";
+import { hasLeft, hasRight, isSingle, toggle } from "./layout";
+import { Menu } from "./Menu";
+import "./header.css";
 
 export function Header() {
   const say = words.value.app;
@@ -14,40 +14,18 @@ export function Header() {
       <button type="button" class="skip" onClick={skip}>
         {say.skip}
       </button>
-      <span class="name">Delone</span>
-      <nav aria-label={say.mode}>
+      <h1 class="name">
+        <Logo />
+        <span>Delone</span>
+      </h1>
+      {!isSingle.value && <Fold icon={LeftPanelIcon} label={say.left} shown={hasLeft} />}
+      <nav class="modes" aria-label={say.mode}>
         {modes.map((each) => (
           <ModeButton key={each} of={each} />
         ))}
       </nav>
-      <LinkButton />
-      <label>
-        <span class="quiet">{say.language}</span>
-        <select
-          value={language.value}
-          onChange={(event) => {
-            language.value = event.currentTarget.value === "de" ? "de" : "en";
-          }}
-        >
-          <option value="en">English</option>
-          <option value="de">Deutsch</option>
-        </select>
-      </label>
-      <label>
-        <span class="quiet">{say.theme}</span>
-        <select
-          value={theme.value}
-          onChange={(event) => {
-            theme.value = event.currentTarget.value as Theme;
-          }}
-        >
-          {themes.map((each) => (
-            <option key={each} value={each}>
-              {say.themes[each]}
-            </option>
-          ))}
-        </select>
-      </label>
+      <Menu />
+      {!isSingle.value && <Fold icon={RightPanelIcon} label={say.right} shown={hasRight} />}
     </header>
   );
 }
@@ -66,6 +44,28 @@ function ModeButton({ of }: { of: Mode }) {
       }}
     >
       {names[of]}
+    </button>
+  );
+}
+
+interface FoldProps {
+  icon: typeof LeftPanelIcon;
+  label: string;
+  shown: typeof hasLeft;
+}
+
+/** Folds the panels of one side away. */
+function Fold({ icon: Icon, label, shown }: FoldProps) {
+  return (
+    <button
+      type="button"
+      class="icon-button"
+      aria-expanded={shown.value === "shown"}
+      aria-label={label}
+      title={label}
+      onClick={() => toggle(shown)}
+    >
+      <Icon />
     </button>
   );
 }

@@ -24,8 +24,9 @@ function Bar({ job }: { job: Job }) {
   if (!isLong.value) return null;
   const say = words.value.app;
   return (
-    <div class="job" role="status">
-      <span>{say.jobs[job.name]}</span>
+    <div class="job">
+      {/* Only what is done is read out, not every figure on the way. */}
+      <span role="status">{say.jobs[job.name]}</span>
       {job.total > 0 ? (
         <progress value={job.done} max={job.total} aria-label={say.jobs[job.name]} />
       ) : (

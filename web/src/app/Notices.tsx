@@ -4,12 +4,13 @@ import { boxOfMarks } from "../drawing/troubles";
 import { lookAt } from "../stage/attention";
 import { dismiss, notices } from "../state/notices";
 import { words } from "../words";
+import { CloseIcon } from "./icons";
 
 export function Notices() {
   return (
     <div class="notices" aria-live="polite">
       {notices.value.map(({ id, tone, text, marks, action }) => (
-        <div key={id} class={`notice ${tone}`} role={tone === "error" ? "alert" : "status"}>
+        <div key={id} class={`notice ${tone}`} role={tone === "error" ? "alert" : undefined}>
           <span>{text}</span>
           {boxOfMarks(marks) && (
             <button type="button" onClick={() => lookAt(boxOfMarks(marks)!)}>
@@ -21,8 +22,13 @@ export function Notices() {
               {words.value.app.actions[action.name]}
             </button>
           )}
-          <button type="button" aria-label={words.value.app.dismiss} onClick={() => dismiss(id)}>
-            ×
+          <button
+            type="button"
+            class="icon-button"
+            aria-label={words.value.app.dismiss}
+            onClick={() => dismiss(id)}
+          >
+            <CloseIcon />
           </button>
         </div>
       ))}

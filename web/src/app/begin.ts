@@ -7,6 +7,8 @@ import { tell } from "../state/notices";
 import { algorithms } from "../state/play";
 import { language, theme } from "../state/settings";
 import { words } from "../words";
+import { beOffline } from "./offline";
+import { fail, lacking, readiness } from "./readiness";
 
 /** Loads what the module knows, and shows the first drawing. */
 export async function begin(): Promise<void> {
@@ -15,10 +17,18 @@ export async function begin(): Promise<void> {
     document.documentElement.dataset.theme = theme.value;
     document.title = words.value.app.title;
   });
+  const lack = lacking();
+  if (lack) return fail(lack);
   try {
     algorithms.value = await stage.ask((engine) => engine.players.algorithms());
+  } catch (error) {
+    return fail("start", error);
+  }
+  try {
     await beginLink();
   } catch (error) {
     tell(error);
   }
+  readiness.value = "ready";
+  beOffline();
 }

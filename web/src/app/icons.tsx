@@ -41,6 +41,72 @@ export const FitIcon = () => (
   </Icon>
 );
 
+/** The mark of the page: two triangles and their edge. */
+export const Logo = () => (
+  <Icon>
+    <path d="M3 20 10.5 4 21 13zM3 20l10-5 8-2M10.5 4 13 15" />
+  </Icon>
+);
+
+/** Three lines: what is folded away. */
+export const MenuIcon = () => (
+  <Icon>
+    <path d="M4 7h16M4 12h16M4 17h16" />
+  </Icon>
+);
+
+/** A question mark. */
+export const HelpIcon = () => (
+  <Icon>
+    <path d="M8.5 9a3.5 3.5 0 1 1 5.3 3c-1.2.7-1.8 1.3-1.8 2.5M12 18.5h.01" />
+  </Icon>
+);
+
+/** An open book. */
+export const GuideIcon = () => (
+  <Icon>
+    <path d="M12 6c-2-1.6-5-2-8-2v14c3 0 6 .4 8 2 2-1.6 5-2 8-2V4c-3 0-6 .4-8 2zM12 6v14" />
+  </Icon>
+);
+
+/** A window with something at its left. */
+export const LeftPanelIcon = () => (
+  <Icon>
+    <rect x="3" y="4" width="18" height="16" rx="2" />
+    <path d="M9 4v16" />
+  </Icon>
+);
+
+/** A window with something at its right. */
+export const RightPanelIcon = () => (
+  <Icon>
+    <rect x="3" y="4" width="18" height="16" rx="2" />
+    <path d="M15 4v16" />
+  </Icon>
+);
+
+/** A cross: away with it. */
+export const CloseIcon = () => (
+  <Icon>
+    <path d="M6 6l12 12M18 6L6 18" />
+  </Icon>
+);
+
+/** A ring that is still empty. */
+export const OpenStepIcon = () => (
+  <Icon>
+    <circle cx="12" cy="12" r="8" />
+  </Icon>
+);
+
+/** A ring with a tick. */
+export const DoneStepIcon = () => (
+  <Icon>
+    <circle cx="12" cy="12" r="9" fill="currentColor" stroke="none" />
+    <path d="M8 12.3l2.8 2.8L16 9.5" stroke="var(--paper)" />
+  </Icon>
+);
+
 /** A hand that moves the view: arrows to four sides. */
 export const ViewIcon = () => (
   <Icon>

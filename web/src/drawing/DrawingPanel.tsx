@@ -22,11 +22,9 @@ export function DrawingPanel() {
         </button>
         <FileButtons />
       </div>
-      {about && (
-        <p class="quiet about">
-          {say.summary(number(about.points), number(about.segments), number(about.holes))}
-        </p>
-      )}
+      <p class="quiet about">
+        {about ? say.summary(number(about.points), number(about.segments), number(about.holes)) : "\u00a0"}
+      </p>
       <Exact />
     </section>
   );

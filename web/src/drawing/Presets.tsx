@@ -17,8 +17,11 @@ const SEEDS = 10_000;
 
 const kinds = ["points", "domain", "scene"] as const;
 
+/** The one that the page opens with is known before the module has come, so that nothing jumps then. */
+const first: Preset[] = [{ name: "uniform", about: "", kind: "points", sized: true }];
+
 export function Presets() {
-  const presets = useSignal<Preset[]>([]);
+  const presets = useSignal(first);
   useEffect(() => {
     stage
       .ask((engine) => engine.drawings.presets())

@@ -1,7 +1,6 @@
 // The tools, at the upper left of the stage, and what takes changes back.
 
 import type { ComponentType } from "preact";
-import { useEffect } from "preact/hooks";
 import {
   ClearIcon,
   EraseIcon,
@@ -15,7 +14,7 @@ import {
 import { inHand, type ToolName, take, toolKeys, toolNames } from "../stage/tools/box";
 import { canRedo, canUndo, drawing, edit, redo, undo } from "../state/drawing";
 import { words } from "../words";
-import { listenForKeys } from "./keys";
+import "./keys";
 import "./drawing.css";
 
 const icons: Record<ToolName, ComponentType> = {
@@ -27,7 +26,6 @@ const icons: Record<ToolName, ComponentType> = {
 };
 
 export function Toolbar() {
-  useEffect(listenForKeys, []);
   const say = words.value.drawing;
   const about = drawing.value?.about;
   const isEmpty = !about || about.points + about.segments + about.holes === 0;

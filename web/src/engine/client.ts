@@ -32,7 +32,17 @@ interface Living {
   kill(): void;
 }
 
-const module = WebAssembly.compileStreaming(fetch(wasm));
+/** The compiled module. What goes wrong with it is told to whoever asks something of a worker. */
+const module = compile();
+module.catch(() => {});
+
+async function compile(): Promise<WebAssembly.Module> {
+  const answer = await fetch(wasm);
+  if (!answer.ok) throw new Error(`${answer.status} ${wasm}`);
+  // Some hosts do not know the type of modules, without which none is compiled while it comes.
+  if (answer.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(answer);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
 
 /** A worker that may be ended and comes back. */
 export class Client {
@@ -81,7 +91,11 @@ export class Client {
       };
     });
     end.catch(() => {});
-    await engine.start(await module);
+    // A worker that cannot be loaded says so here and answers nothing.
+    const broken = new Promise<never>((_, reject) => {
+      worker.addEventListener("error", ({ message }) => reject(new Error(message || "worker")));
+    });
+    await Promise.race([module.then((compiled) => engine.start(compiled)), broken]);
     for (const restore of this.restores) await restore(engine);
     return { engine, end, kill };
   }

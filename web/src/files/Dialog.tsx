@@ -2,6 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { CloseIcon } from "../app/icons";
 import { words } from "../words";
 import { dialog } from "./dialogs";
 import "./files.css";
@@ -23,13 +24,13 @@ export function Dialog({ name, heading, children }: Props) {
     if (dialog.peek() === name) dialog.value = null;
   };
   return (
-    <dialog ref={element} class="dialog" aria-labelledby={`${name}-heading`} onClose={close}>
+    <dialog ref={element} class={`dialog dialog-${name}`} aria-labelledby={`${name}-heading`} onClose={close}>
       {isOpen && (
         <>
           <header>
             <h2 id={`${name}-heading`}>{heading}</h2>
-            <button type="button" class="close" aria-label={words.value.files.close} onClick={close}>
-              ×
+            <button type="button" class="icon-button" aria-label={words.value.files.close} onClick={close}>
+              <CloseIcon />
             </button>
           </header>
           {children}

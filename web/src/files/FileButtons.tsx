@@ -1,20 +1,26 @@
 // Buttons that open and save.
 
-import { useRef } from "preact/hooks";
+import { createRef } from "preact";
 import { OpenIcon, PasteIcon, SaveIcon } from "../app/icons";
 import { words } from "../words";
 import { dialog } from "./dialogs";
 import { openFiles } from "./open";
 
+const field = createRef<HTMLInputElement>();
+
+/** Asks which files are to be opened. */
+export function chooseFiles(): void {
+  field.current?.click();
+}
+
 export function FileButtons() {
   const say = words.value.files;
-  const field = useRef<HTMLInputElement>(null);
   const show = (name: "save" | "paste") => {
     dialog.value = name;
   };
   return (
     <>
-      <button type="button" class="worded" onClick={() => field.current?.click()}>
+      <button type="button" class="worded" onClick={chooseFiles}>
         <OpenIcon />
         {say.open}
       </button>

@@ -9,9 +9,9 @@ import { dialog } from "./dialogs";
 export function LinkButton() {
   const say = words.value.files;
   return (
-    <button type="button" class="worded" title={say.link} onClick={() => void copy()}>
+    <button type="button" class="plain" title={say.link} onClick={() => void copy()}>
       <LinkIcon />
-      <span class="link-words">{say.link}</span>
+      <span>{say.link}</span>
     </button>
   );
 }

@@ -1,9 +1,9 @@
-// Which dialog of files is open.
+// Which dialog is open.
 
 import { signal } from "@preact/signals";
 import type { What } from "./choices";
 
-export const dialog = signal<"save" | "paste" | null>(null);
+export const dialog = signal<"save" | "paste" | "help" | null>(null);
 
 /** What the dialog of saving begins with; null: what suits the mode. */
 export const wanted = signal<What | null>(null);

@@ -1,5 +1,6 @@
 // Saving: whoever has what is to be saved writes it; several files become one if that is asked for.
 
+import { signal } from "@preact/signals";
 import { type Client, type Engine, mesher, stage } from "../engine/client";
 import type { NamedBytes } from "../engine/protocol";
 import { drawingName } from "../state/drawing";
@@ -23,6 +24,9 @@ export interface Chosen {
   zip: boolean;
 }
 
+/** What was saved last. */
+export const saved = signal<What | null>(null);
+
 /** The slot of the run on the stage. */
 const SLOT = 0;
 
@@ -42,6 +46,7 @@ export async function save(
   else files = await written(what, name, stem, options, chosen.zip);
   if (!files) return false;
   await download(files);
+  saved.value = what;
   return true;
 }
 

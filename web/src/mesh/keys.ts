@@ -2,6 +2,7 @@
 // Escape lets go of it.
 
 import { useEffect } from "preact/hooks";
+import { bind } from "../app/shortcuts";
 import { clicked } from "../stage/tool";
 import { jobs } from "../state/job";
 import { build } from "../state/mesh";
@@ -13,6 +14,10 @@ const arrows: Record<string, readonly [number, number]> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
+
+bind("mesh", "Enter", "build");
+for (const arrow of Object.keys(arrows)) bind("mesh", arrow, "neighbour");
+bind("mesh", "Escape", "letGo");
 
 /** Listens as long as the panel is there. */
 export function useKeys(): void {

@@ -1,6 +1,6 @@
 // The keys of the transport.
 
-import { modeShortcuts } from "../app/shortcuts";
+import { bind } from "../app/shortcuts";
 import { heading, isPlaying, jump, jumpToStop, position, run, seek } from "../state/play";
 
 /** Plays this way; pauses if it does so already. */
@@ -41,15 +41,16 @@ export function jumpTo(way: "next" | "previous", kind: Jump): void {
   void (kind === "breakpoint" ? jumpToStop(way) : jump(way, kind));
 }
 
-const keys = modeShortcuts.play;
-keys.set(" ", () => togglePlaying(isPlaying.value ? heading.value : "next"));
-keys.set("Shift+ ", () => togglePlaying(isPlaying.value ? heading.value : "previous"));
-keys.set("ArrowRight", () => step(1));
-keys.set("ArrowLeft", () => step(-1));
-keys.set("Home", () => go(0));
-keys.set("End", () => go(run.value?.length ?? 0));
+bind("play", " ", "playPause", () => togglePlaying(isPlaying.value ? heading.value : "next"));
+bind("play", "Shift+ ", "playBackwards", () => togglePlaying(isPlaying.value ? heading.value : "previous"));
+bind("play", "ArrowRight", "next", () => step(1));
+bind("play", "ArrowLeft", "previous", () => step(-1));
+bind("play", "Home", "first", () => go(0));
+bind("play", "End", "last", () => go(run.value?.length ?? 0));
 for (const [kind, key] of Object.entries(jumps) as [Jump, string][]) {
+  const letter = key.toLowerCase();
   const isChange = kind === "change";
-  keys.set(isChange ? "Shift+ArrowRight" : key.toLowerCase(), () => jumpTo("next", kind));
-  keys.set(isChange ? "Shift+ArrowLeft" : `Shift+${key.toLowerCase()}`, () => jumpTo("previous", kind));
+  const [next, previous] = isChange ? ["Shift+ArrowRight", "Shift+ArrowLeft"] : [letter, `Shift+${letter}`];
+  bind("play", next, kind, () => jumpTo("next", kind));
+  bind("play", previous, kind, () => jumpTo("previous", kind));
 }

@@ -1,7 +1,7 @@
 // What is below the stage in the game: the question, the answers to choose from, and the verdict.
 
 import { useEffect, useRef } from "preact/hooks";
-import { modeShortcuts } from "../app/shortcuts";
+import { bind } from "../app/shortcuts";
 import { run } from "../state/play";
 import {
   answered,
@@ -120,14 +120,13 @@ function enter(): void {
   else if (guessable.value[cursor.value]) void guess(guessable.value[cursor.value]);
 }
 
-const keys = modeShortcuts.predict;
 for (const place of [0, 1, 2])
-  keys.set(String(place + 1), () => {
+  bind("predict", String(place + 1), "guess", () => {
     const quad = difficulty.value === "three" ? guessable.value[place] : undefined;
     if (quad) void guess(quad);
   });
-keys.set("ArrowRight", () => move(1));
-keys.set("ArrowLeft", () => move(-1));
-keys.set("Enter", enter);
-keys.set(" ", enter);
-keys.set("h", hint);
+bind("predict", "ArrowRight", "nextEdge", () => move(1));
+bind("predict", "ArrowLeft", "previousEdge", () => move(-1));
+bind("predict", "Enter", "answer", enter);
+bind("predict", " ", "answer", enter);
+bind("predict", "h", "hint", hint);

@@ -1,7 +1,7 @@
 // What is below the stages of a race: its buttons, and one slider for all.
 
 import { PauseIcon, PlayIcon, RestartIcon } from "../app/icons";
-import { modeShortcuts } from "../app/shortcuts";
+import { bind } from "../app/shortcuts";
 import { Button } from "../play/Button";
 import "../play/transport.css";
 import { type Clock, clocks } from "../engine/protocol";
@@ -25,12 +25,11 @@ const nudge = (by: number) => {
   goTo(amount.value + (by * full.value) / 100);
 };
 
-const keys = modeShortcuts.race;
-keys.set(" ", toggleRace);
-keys.set("Home", restart);
-keys.set("End", () => goTo(full.value));
-keys.set("ArrowRight", () => nudge(1));
-keys.set("ArrowLeft", () => nudge(-1));
+bind("race", " ", "startPause", toggleRace);
+bind("race", "Home", "first", restart);
+bind("race", "End", "last", () => goTo(full.value));
+bind("race", "ArrowRight", "forward", () => nudge(1));
+bind("race", "ArrowLeft", "backward", () => nudge(-1));
 
 export function RaceBar() {
   const say = words.value.race;

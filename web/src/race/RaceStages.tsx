@@ -89,14 +89,14 @@ function LaneHead({ lane: { frame, run }, place }: { lane: Lane; place: number }
   const done = shown?.tally;
   return (
     <header class="lane-head">
-      <h3>
+      <h2>
         {titleOf(run.algorithm, run.title)}
         {isThere && (
           <span class={place === 1 ? "medal first" : "medal"} title={say.finishedHint(place)}>
             {say.finished(place)}
           </span>
         )}
-      </h3>
+      </h2>
       <progress value={shown?.position ?? 0} max={Math.max(1, run.length)} aria-label={say.position} />
       <dl class="figure">
         <div>

@@ -1,5 +1,6 @@
 // Keys that move the view while the stage has the focus.
 
+import { bind } from "../app/shortcuts";
 import { pan } from "./camera";
 import type { View } from "./view";
 
@@ -24,6 +25,12 @@ const others: Record<string, (view: View) => void> = {
   _: (view) => view.zoomBy(1 / ZOOM),
   "0": (view) => view.glide(null),
 };
+
+for (const arrow of Object.keys(arrows)) bind("stage", arrow, "pan");
+for (const arrow of Object.keys(arrows)) bind("stage", `Shift+${arrow}`, "panFar");
+bind("stage", "+", "zoomIn");
+bind("stage", "-", "zoomOut");
+bind("stage", "0", "fit");
 
 /** Does what a key says; the rest of the page does not hear of it then. */
 export function press(event: KeyboardEvent, view: View): void {

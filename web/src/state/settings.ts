@@ -19,7 +19,7 @@ function browserLanguage(): Language {
 }
 
 /** Makes a signal whose value outlives the page; anything but `allowed` is forgotten. */
-function kept<T extends string>(name: string, usual: T, allowed: T[]): Signal<T> {
+export function kept<T extends string>(name: string, usual: NoInfer<T>, allowed: T[]): Signal<T> {
   const key = `delone.${name}`;
   const stored = read(key) as T | null;
   const value = signal(stored !== null && allowed.includes(stored) ? stored : usual);

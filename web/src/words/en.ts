@@ -3,6 +3,7 @@
 import { app } from "./en/app";
 import { drawing } from "./en/drawing";
 import { files } from "./en/files";
+import { help } from "./en/help";
 import { mesh } from "./en/mesh";
 import { play } from "./en/play";
 import { predict } from "./en/predict";
@@ -10,4 +11,4 @@ import { race } from "./en/race";
 import { see } from "./en/see";
 import { stage } from "./en/stage";
 
-export const en = { app, drawing, files, mesh, play, predict, race, see, stage };
+export const en = { app, drawing, files, help, mesh, play, predict, race, see, stage };

@@ -120,6 +120,7 @@ test("the view moves by a drag of what is empty, with any tool", async () => {
 
 test("fingers draw", async () => {
   const page = await theatre.visit("", { viewport: { width: 390, height: 844 }, hasTouch: true });
+  await page.getByRole("button", { name: "Drawing", exact: true }).tap();
   await page.getByRole("button", { name: "Start empty" }).tap();
   await counts(page, 0, 0, 0);
   await page.getByRole("button", { name: "Points", exact: true }).tap();
@@ -179,7 +180,7 @@ test("every preset has a title, and is drawn within its bounds", async () => {
   for (const { value, text } of options) expect(text).not.toBe(value);
   await select.selectOption("tangle");
   await counts(page, 40, 20, 0);
-  const field = page.getByLabel("Number of segments");
+  const field = page.getByRole("spinbutton", { name: "Segments" });
   await field.fill("99999");
   await field.press("Enter");
   await counts(page, 4000, 2000, 0);

@@ -161,8 +161,8 @@ test("a triangle explains itself, and arrows go to its neighbours", async () => 
 
 test("saved files are read again to the same triangles", async () => {
   const page = await visit("coast");
-  await page.getByLabel("Number of segments").fill("40");
-  await page.getByLabel("Number of segments").press("Enter");
+  await page.getByRole("spinbutton", { name: "Segments" }).fill("40");
+  await page.getByRole("spinbutton", { name: "Segments" }).press("Enter");
   await page.getByText("Points: 40,").waitFor();
   await panel(page).getByLabel("With segments").check();
   await meshIt(page).click();
@@ -209,8 +209,8 @@ function corners(points: Float64Array, triangles: Uint32Array): string[] {
 
 test("a million triangles are made and moved about", async () => {
   const page = await visit("uniform");
-  await page.getByLabel("Number of points").fill("500000");
-  await page.getByLabel("Number of points").press("Enter");
+  await page.getByRole("spinbutton", { name: "Points" }).fill("500000");
+  await page.getByRole("spinbutton", { name: "Points" }).press("Enter");
   await panel(page).getByLabel("Delaunay triangulation").check();
   await page.getByText("Points: 500,000,").waitFor();
   await page.keyboard.press("Enter");

@@ -46,7 +46,7 @@ export class Theatre {
   async visit(
     hash = "",
     options: Parameters<Browser["newContext"]>[0] = {},
-    before: (page: Page) => Promise<void> = async () => {},
+    before: (page: Page) => Promise<unknown> = async () => {},
   ): Promise<Page> {
     const context = await this.browser.newContext({ locale: "en", ...options });
     const page = await context.newPage();

@@ -243,6 +243,7 @@ test("everything at once is drawn while any algorithm plays", async () => {
 
 test("all fits on a telephone", async () => {
   const page = await bare({ width: 360, height: 780 });
+  await page.getByRole("button", { name: "See", exact: true }).click();
   await page.getByRole("button", { name: "Lifted view" }).click();
   await settled(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);

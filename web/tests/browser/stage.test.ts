@@ -262,7 +262,7 @@ test("moving over a hundred thousand triangles uploads nothing", async () => {
   const page = await theatre.visit();
   await page.getByRole("button", { name: "Mesh", exact: true }).click();
   await page.getByLabel("Preset").selectOption("uniform");
-  const count = page.getByLabel("Number of points");
+  const count = page.getByRole("spinbutton", { name: "Points" });
   await count.fill("50000");
   await count.press("Tab");
   await page.getByText("Points: 50,000").waitFor();

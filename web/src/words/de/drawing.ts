@@ -9,7 +9,7 @@ export const drawing: Words["drawing"] = {
   preset: "Vorlage",
   kinds: { points: "Punkte", domain: "Gebiete", scene: "Beispiele" },
   chosen: "Eigene Zeichnung",
-  count: { points: "Anzahl der Punkte", segments: "Anzahl der Strecken" },
+  count: { points: "Punkte", segments: "Strecken" },
   seed: "Startwert",
   another: "Anderer Startwert",
   empty: "Leer beginnen",

@@ -12,7 +12,7 @@ export const app = {
   mode: "What to do",
   language: "Language",
   theme: "Colours",
-  themes: { auto: "as the system", light: "light", dark: "dark" },
+  themes: { auto: "System colours", light: "Light", dark: "Dark" },
   jobs: {
     draw: "Drawing",
     run: "Running the algorithm",
@@ -25,5 +25,23 @@ export const app = {
   actions: { save: "Save …" },
   dismiss: "Dismiss",
   skip: "Skip to the stage",
+  menu: "Menu",
+  guide: "Guide",
+  help: "Help",
+  left: "Drawing and view",
+  right: "What is done with it",
+  panels: "Panels",
+  works: { play: "Algorithm", predict: "Game", race: "Race", mesh: "Mesh" },
+  loading: {
+    now: "The module is being loaded …",
+    failed: "The page cannot compute",
+    reasons: {
+      wasm: "This browser has no WebAssembly, or a rule forbids it here (some privacy modes do). Please allow it for this page, or take another browser of 2023 or later.",
+      workers: "This browser has no workers. Please take another one, of 2023 or later.",
+      start:
+        "The module could not be started. Perhaps the connection broke: then loading the page again helps. Perhaps an extension blocks WebAssembly: then please allow it here. Browsers from 2023 on will do.",
+    },
+    again: "Load again",
+  },
   space: "Space",
 };

@@ -8,7 +8,7 @@ export const drawing = {
   preset: "Preset",
   kinds: { points: "Points", domain: "Domains", scene: "Examples" },
   chosen: "Own drawing",
-  count: { points: "Number of points", segments: "Number of segments" },
+  count: { points: "Points", segments: "Segments" },
   seed: "Seed",
   another: "Another seed",
   empty: "Start empty",
