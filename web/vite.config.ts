@@ -2,6 +2,7 @@
 
 import { defineConfig, type Plugin } from "vite";
 import { guide } from "./guide/plugin.ts";
+import { offline } from "./offline/plugin.ts";
 
 /** What keeps `dist/` in the repository, and its content out: `delone-cli` looks at the folder when it is built. */
 const keeper: Plugin = {
@@ -20,5 +21,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
   },
   worker: { format: "es" },
-  plugins: [guide(), keeper],
+  plugins: [guide(), offline(), keeper],
 });
