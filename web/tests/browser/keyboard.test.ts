@@ -1,0 +1,119 @@
+// Everything by keys alone: no mouse is moved here, and nothing gets the focus but by the Tab key.
+
+import { readFileSync } from "node:fs";
+import type { Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { Theatre } from "./page";
+
+let theatre: Theatre;
+beforeAll(async () => {
+  theatre = await Theatre.open();
+});
+afterAll(() => theatre.close());
+
+async function visit(): Promise<Page> {
+  const page = await theatre.visit("", { viewport: { width: 1280, height: 720 } });
+  await page.locator(".loading").waitFor({ state: "detached" });
+  return page;
+}
+
+/** Presses Tab until this has the focus, which must be seen then. */
+async function tabTo(page: Page, goal: Locator): Promise<void> {
+  await goal.first().waitFor();
+  for (let i = 0; i < 150; i++) {
+    await page.keyboard.press("Tab");
+    const has = await goal.evaluateAll((all) => all.some((one) => one === document.activeElement));
+    if (!has) continue;
+    const outline = await page.locator(":focus").evaluate((one) => getComputedStyle(one).outlineStyle);
+    expect(outline).not.toBe("none");
+    return;
+  }
+  throw new Error(`no way by Tab to ${goal}`);
+}
+
+const button = (page: Page, name: string | RegExp) => page.getByRole("button", { name, exact: true });
+const position = async (page: Page) => Number(await page.getByLabel("Position").inputValue());
+
+test("played, stepped back, opened, meshed, saved", async () => {
+  const page = await visit();
+  await page.keyboard.press("Tab");
+  expect(await page.locator(":focus").textContent()).toBe("Skip to the stage");
+  await page.keyboard.press("Enter");
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe("stage");
+
+  await page.keyboard.press(" ");
+  await expect.poll(() => position(page)).toBeGreaterThan(1);
+  await page.keyboard.press(" ");
+  const at = await position(page);
+  await page.keyboard.press("ArrowLeft");
+  await expect.poll(() => position(page)).toBeLessThan(at);
+
+  await tabTo(page, button(page, "Open …"));
+  const chooser = page.waitForEvent("filechooser");
+  await page.keyboard.press("Enter");
+  await (await chooser).setFiles({ name: "own.csv", mimeType: "text/csv", buffer: Buffer.from(square) });
+  await page.getByText("Points: 5").waitFor();
+
+  await tabTo(page, page.locator(".modes button").last());
+  await page.keyboard.press("Enter");
+  await tabTo(page, button(page, "Mesh it"));
+  await page.keyboard.press("Enter");
+  await page.locator(".mesh-outcome").getByText("triangles").waitFor();
+  await tabTo(page, button(page, "Save …"));
+  await page.keyboard.press("Enter");
+  await page.getByRole("dialog").waitFor();
+  await tabTo(page, page.getByRole("dialog").getByRole("button", { name: "Save" }));
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
+  expect(readFileSync(await saved.path()).length).toBeGreaterThan(50);
+  expect(await page.getByText("(done)").count()).toBe(4);
+  await page.context().close();
+  expect(theatre.complaints).toEqual([]);
+});
+
+const square = "x,y\n0,0\n4,0\n4,3\n0,3\n2,1\n";
+
+test("the focus goes the way in which the page is read", async () => {
+  const page = await visit();
+  const order: string[] = [];
+  for (let i = 0; i < 150 && order.at(-1) !== "work"; i++) {
+    await page.keyboard.press("Tab");
+    const room = await page
+      .locator(":focus")
+      .evaluate((one) => one.closest(".head, .side, .middle, .work")?.classList[0]);
+    if (room && room !== order.at(-1)) order.push(room);
+  }
+  expect(order).toEqual(["head", "side", "middle", "work"]);
+  await page.setViewportSize({ width: 800, height: 1100 });
+  const below = () =>
+    page.locator(".head, .side, .middle, .work").evaluateAll((all) => all.map((one) => one.classList[0]));
+  await expect.poll(below).toEqual(["head", "middle", "side", "work"]);
+  await page.context().close();
+});
+
+test("the help lists the keys, and leads back to what to try first", async () => {
+  const page = await visit();
+  await button(page, "Do not show this again").click();
+  await page.reload();
+  await page.locator(".loading").waitFor({ state: "detached" });
+  expect(await page.getByText("The first minute").count()).toBe(0);
+  await page.keyboard.press("?");
+  const help = page.getByRole("dialog", { name: "Help" });
+  for (const told of ["This list", "Zoom in", "Undo", "Tool: points"]) await help.getByText(told).waitFor();
+  await tabTo(page, help.getByRole("button", { name: "Show what to try first" }));
+  await page.keyboard.press("Enter");
+  await page.getByRole("region", { name: "The first minute" }).waitFor();
+  await page.context().close();
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("panels fold away, and stay so", async () => {
+  const page = await visit();
+  const stage = page.locator(".middle");
+  const before = (await stage.boundingBox())!.width;
+  await button(page, "Drawing and view").click();
+  await button(page, "What is done with it").click();
+  expect((await stage.boundingBox())!.width).toBeGreaterThan(before + 500);
+  await page.reload();
+  expect((await stage.boundingBox())!.width).toBeGreaterThan(before + 500);
+  await page.context().close();
+});
