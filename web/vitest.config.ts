@@ -1,4 +1,4 @@
-// Two kinds of tests: of pieces, beside them; and of the built page, in a real browser.
+// Two kinds of tests: of pieces, beside them; and of the built page, in a real browser. And what takes its pictures.
 
 import { defineConfig } from "vitest/config";
 
@@ -11,6 +11,15 @@ export default defineConfig({
           name: "browser",
           include: ["tests/browser/**/*.test.ts"],
           // One browser at a time: two cores, and figures of time that mean something.
+          fileParallelism: false,
+          testTimeout: 60_000,
+          hookTimeout: 60_000,
+        },
+      },
+      {
+        test: {
+          name: "pictures",
+          include: ["tests/pictures.ts"],
           fileParallelism: false,
           testTimeout: 60_000,
           hookTimeout: 60_000,
