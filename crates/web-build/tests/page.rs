@@ -1,6 +1,7 @@
 //! The page's own tests, as part of `cargo test`: once it has been built, and where a browser is here.
 //!
-//! Building it takes minutes and a network; so that is left to `cargo run -p delone-web-build --release`.
+//! Building it takes minutes and a network; so that is left to `cargo run -p delone-web-build --release`. Where
+//! DELONE_NEEDS_PAGE is set it must have been done.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -41,6 +42,7 @@ fn npm(script: &str) {
 #[test]
 fn the_page_passes_its_tests() {
     if let Some(why) = missing() {
+        assert!(env::var_os("DELONE_NEEDS_PAGE").is_none(), "{why}");
         eprintln!("skipped: {why}");
         return;
     }
