@@ -155,7 +155,7 @@ impl Looker {
 ///
 /// # Errors
 /// If they are not finite.
-pub(crate) fn place(x: f64, y: f64) -> Result<Point, Trouble> {
+fn place(x: f64, y: f64) -> Result<Point, Trouble> {
     let p = Point::new(x, y);
     match p.is_finite() {
         true => Ok(p),

@@ -193,13 +193,6 @@ impl Mesh {
         Ok(all)
     }
 
-    /// Counts the triangles by a measure in even bins, as JSON: `{low, high, counts}`. Angles and ratios are counted from
-    /// the least to the largest that there can be, all else from the least to the largest that there is.
-    pub fn histogram(&self, measure: &str, bins: usize) -> Result<String, Trouble> {
-        let measure: Measure = measure.parse()?;
-        Ok(json::write(&measure.histogram(self, bins)?))
-    }
-
     /// Returns the triangle of the domain in which a place lies, by number; `undefined` outside. Of several that it
     /// touches it is the first.
     ///

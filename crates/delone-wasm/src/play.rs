@@ -4,12 +4,11 @@
 //! where it stands or from the nearest of some scenes that it has kept on its way (`tape.rs`).
 //!
 //! What it tells of the whole run: `ledger.rs` (how much work up to a step), `curve.rs` (numbers that change),
-//! `search.rs` (steps to be found). What it tells of a scene beyond its lists: `judging.rs`, `half_edges.rs` and
+//! `search.rs` (steps to be found). What it tells of a scene beyond its lists: `judging.rs` and
 //! [`look`](crate::look).
 
 mod clock;
 mod curve;
-mod half_edges;
 mod judging;
 mod keeper;
 mod ledger;

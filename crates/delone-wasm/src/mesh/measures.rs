@@ -1,14 +1,10 @@
-//! A number for each triangle, to colour it by, and counts of these numbers.
+//! A number for each triangle, to colour it by, or to count by in whatever bins a picture has.
 
 use super::Mesh;
 use crate::Trouble;
 use delone::TriangleId;
 use delone::check::Shape;
-use serde::Serialize;
 use std::str::FromStr;
-
-/// Most bins of a histogram: more than any picture has columns.
-const MOST_BINS: usize = 10_000;
 
 /// What is measured of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,14 +37,6 @@ impl FromStr for Measure {
     }
 }
 
-/// How many triangles have which numbers.
-#[derive(Debug, PartialEq, Serialize)]
-pub(super) struct Histogram {
-    low: f64,
-    high: f64,
-    counts: Vec<usize>,
-}
-
 impl Measure {
     /// Measures every triangle, in their order.
     pub fn all(self, mesh: &Mesh) -> impl Iterator<Item = f64> + '_ {
@@ -72,37 +60,6 @@ impl Measure {
             Self::Region => -1.0,
         }
     }
-
-    /// Returns what the measure can be, if that does not depend on the mesh: meshes side by side then have the same
-    /// axis.
-    fn range(self) -> Option<[f64; 2]> {
-        match self {
-            Self::MinAngle => Some([0.0, 60.0]),
-            Self::MaxAngle => Some([60.0, 180.0]),
-            Self::RadiusRatio => Some([0.0, 1.0]),
-            Self::Area | Self::LongestEdge | Self::Region => None,
-        }
-    }
-
-    /// Counts the triangles in even bins; what is infinite is in none.
-    pub fn histogram(self, mesh: &Mesh, bins: usize) -> Result<Histogram, Trouble> {
-        if !(1..=MOST_BINS).contains(&bins) {
-            let message = format!("a histogram of {bins} bins: there must be 1 to {MOST_BINS}");
-            return Err(Trouble::asked(message));
-        }
-        let values: Vec<f64> = self.all(mesh).filter(|value| value.is_finite()).collect();
-        let [low, high] = self.range().unwrap_or_else(|| span(&values));
-        let mut counts = vec![0; bins];
-        for value in values {
-            let share = match high > low {
-                true => (value - low) / (high - low),
-                false => 0.0,
-            };
-            // Beyond the ends by rounding only; a cast takes them to the nearest bin.
-            counts[((share * bins as f64) as usize).min(bins - 1)] += 1;
-        }
-        Ok(Histogram { low, high, counts })
-    }
 }
 
 /// The radius of the incircle by that of the circumcircle, twice: 1 for an equilateral triangle, 0 for a flat one.
@@ -118,15 +75,6 @@ fn radius_ratio(shape: &Shape) -> f64 {
     match around > 0.0 {
         true => (4.0 * doubled * doubled / around).min(1.0),
         false => 0.0,
-    }
-}
-
-fn span(values: &[f64]) -> [f64; 2] {
-    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    match low <= high {
-        true => [low, high],
-        false => [0.0; 2],
     }
 }
 
@@ -156,35 +104,25 @@ mod tests {
     }
 
     #[test]
-    fn every_triangle_is_counted_once() {
+    fn every_triangle_is_measured() {
         let square = mesh(&[0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0, 0.5, 1.0]);
-        for name in [
-            "minAngle",
-            "maxAngle",
-            "area",
-            "longestEdge",
-            "radiusRatio",
-            "region",
-        ] {
+        let sorted = |name: &str| {
             let measure: Measure = name.parse().expect("a measure");
-            let counted = measure.histogram(&square, 7).expect("a histogram");
-            assert_eq!(counted.counts.iter().sum::<usize>(), 4, "{name}");
+            let mut all: Vec<f64> = measure.all(&square).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        assert_eq!(sorted("area"), [0.5, 1.0, 1.0, 1.5]);
+        assert_eq!(sorted("longestEdge")[3], 2.0);
+        assert_eq!(sorted("region"), [-1.0; 4]);
+        for name in ["minAngle", "maxAngle", "radiusRatio"] {
+            assert_eq!(sorted(name).len(), 4, "{name}");
         }
-        let area = Measure::Area.histogram(&square, 3).expect("a histogram");
-        assert_eq!(
-            (area.low, area.high, area.counts),
-            (0.5, 1.5, vec![1, 2, 1])
-        );
     }
 
     #[test]
-    fn what_cannot_be_counted_is_refused() {
-        let nothing = mesh(&[]);
-        let empty = Measure::Area.histogram(&nothing, 2).expect("a histogram");
-        assert_eq!(empty.counts, [0, 0]);
-        for bins in [0, MOST_BINS + 1] {
-            Measure::Area.histogram(&nothing, bins).expect_err("bins");
-        }
+    fn without_triangles_there_are_no_numbers_and_other_measures_are_refused() {
+        assert_eq!(Measure::Area.all(&mesh(&[])).count(), 0);
         "beauty".parse::<Measure>().expect_err("no measure");
     }
 }
