@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { drawn } from "../drawing/drawn";
 import { Beside } from "../lift/Beside";
 import { shades } from "../mesh/colours";
-import { follows } from "../mesh/follow";
+import { shownMesh } from "../mesh/follow";
 import { inspection } from "../mesh/overlay";
 import { game } from "../predict/overlay";
 import { RaceStages } from "../race/RaceStages";
@@ -13,7 +13,6 @@ import type { Camera } from "../stage/camera";
 import { type Overlay, Stage } from "../stage/Stage";
 import { emptyScene, type StageScene, sceneOfDrawing } from "../stage/scene";
 import { drawing, source } from "../state/drawing";
-import { isOutdated, mesh } from "../state/mesh";
 import { type Mode, mode } from "../state/mode";
 import { frame } from "../state/play";
 
@@ -38,9 +37,8 @@ function ofRun(): StageScene | null {
 }
 
 function ofMesh(): StageScene | null {
-  // One that will not follow by itself would hide what is being drawn.
-  if (!mesh.value || (isOutdated.value && !follows.value)) return null;
-  const { points, edges, locked, triangles } = mesh.value;
+  if (!shownMesh.value) return null;
+  const { points, edges, locked, triangles } = shownMesh.value;
   return { points, edges, locked, triangles, values: shades.value, hasDots: false };
 }
 

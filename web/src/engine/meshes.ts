@@ -1,7 +1,7 @@
 // The finished mesh, in the worker.
 
 import { transfer } from "comlink";
-import { Mesh } from "../wasm/delone.js";
+import { type Looker, Mesh } from "../wasm/delone.js";
 import { drawing } from "./drawings";
 import { takeFiles } from "./files";
 import type {
@@ -12,6 +12,7 @@ import type {
   MeshKind,
   MeshOptions,
   NamedBytes,
+  Nearest,
   Progress,
   SaveOptions,
 } from "./protocol";
@@ -24,15 +25,30 @@ function mesh(): Mesh {
   return current;
 }
 
+/** What finds places in the mesh: made when somebody asks first, for it takes a second for a million triangles. */
+let looker: Looker | undefined;
+
+function look(): Looker {
+  looker ??= mesh().looker();
+  return looker;
+}
+
+function forgetLooker(): void {
+  looker?.free();
+  looker = undefined;
+}
+
 export const meshes = {
   /** Meshes the drawing; if that fails, the mesh before is still there. */
   make(kind: MeshKind, options: MeshOptions, progress: Progress): MeshData {
+    // Its room may be needed; if there is no other mesh in the end, it is made again.
+    forgetLooker();
     const begin = performance.now();
     const made = build(kind, options, progress);
     const milliseconds = performance.now() - begin;
     current?.free();
     current = made;
-    return look(made, kind, milliseconds);
+    return shown(made, kind, milliseconds);
   },
 
   /** Measures every triangle. */
@@ -43,6 +59,15 @@ export const meshes = {
 
   /** Returns the triangle in which a place lies. */
   triangleAt: (x: number, y: number): number | undefined => mesh().triangleAt(x, y),
+
+  /** Finds the vertex nearest to a place; null if there is none. */
+  nearest: (x: number, y: number): Nearest | null => JSON.parse(look().nearest(x, y)),
+
+  /** The borders of the Voronoi cells of all vertices, clipped to a box around them: x, y, x, y for each. */
+  cells(): Float64Array {
+    const cells = look().cells();
+    return transfer(cells, [cells.buffer]);
+  },
 
   /** Tells all about a triangle. */
   explain: (triangle: number): Explanation => JSON.parse(mesh().explain(triangle)),
@@ -73,7 +98,7 @@ function build(kind: MeshKind, options: MeshOptions, progress: Progress): Mesh {
   }
 }
 
-function look(made: Mesh, kind: MeshKind, milliseconds: number): MeshData {
+function shown(made: Mesh, kind: MeshKind, milliseconds: number): MeshData {
   const data: MeshData = {
     kind,
     points: made.points(),

@@ -2,9 +2,9 @@
 
 import type { Circle } from "../see/circles";
 import type { Links } from "../see/links";
-import { pale } from "../see/looks";
 import type { Shown } from "../see/shown";
 import type { Palette } from "../stage/palette";
+import { pale } from "../stage/palette";
 import { drawFacets } from "./facets";
 import type { Lift } from "./project";
 

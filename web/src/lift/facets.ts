@@ -3,8 +3,8 @@
 // quicker by far than facet by facet, and right where the bowl is convex.
 
 import { type Links, OUTSIDE } from "../see/links";
-import { pale } from "../see/looks";
 import type { Palette } from "../stage/palette";
+import { pale } from "../stage/palette";
 import type { Sheet } from "./draw";
 import { lightOn, paintersOrder } from "./project";
 

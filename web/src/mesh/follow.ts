@@ -20,6 +20,9 @@ export const follows = computed(
   () => mesh.value !== null && mesh.value.milliseconds < QUICK && (expected.value ?? 0) < FEW,
 );
 
+/** The mesh that is shown: one that is older than the drawing, and will not follow, would hide what is being drawn. */
+export const shownMesh = computed(() => (isOutdated.value && !follows.value ? null : mesh.value));
+
 let isFollowing = false;
 effect(() => {
   void [asked.value, drawing.value, mode.value];

@@ -5,7 +5,7 @@ import type { Explanation } from "../engine/protocol";
 import { askMesh, isOutdated, mesh } from "../state/mesh";
 import { language } from "../state/settings";
 import { tab } from "./tab";
-import { across, edgeToward, middleOf } from "./walk";
+import { across, edgeToward, insideOf } from "./walk";
 
 /** The number of the triangle; null: none. */
 export const chosen = signal<number | null>(null);
@@ -84,7 +84,7 @@ effect(() => {
   if (was === now) return;
   before = now;
   chosen.value = null;
-  if (was && now && t !== null) void keep(middleOf(was, t));
+  if (was && now && t !== null) void keep(insideOf(was, t));
 });
 
 async function keep(place: [number, number]): Promise<void> {

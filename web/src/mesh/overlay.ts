@@ -1,7 +1,9 @@
 // What is drawn over the mesh about the triangle that is asked about: its circle, its corners, and why one of them is there.
 
 import type { Corner, Explanation } from "../engine/protocol";
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { drawing } from "../state/drawing";
 import { mesh } from "../state/mesh";
@@ -51,14 +53,14 @@ function cause(pen: Pen, { cause: why }: Corner, points: Float64Array): void {
   if (why.parent.length > 2) {
     const ring = [...why.parent, why.parent[0]];
     pen.path(ring, { stroke: paper, width: 4.5 });
-    pen.path(ring, { stroke: asked, width: 2.5, dash: [3, 5], fill: `${asked}26` });
+    pen.path(ring, { stroke: asked, width: 2.5, dash: [3, 5], fill: pale(asked, 0.15) });
   }
   if (why.edge) {
     pen.path(why.edge, { stroke: paper, width: 6 });
     pen.path(why.edge, { stroke: asked, width: 3.5 });
   }
   if (why.by !== null) {
-    const [x, y] = [points[2 * why.by], points[2 * why.by + 1]];
+    const [x, y] = placeOf(points, why.by);
     pen.dot(x, y, { fill: bad, stroke: paper, width: 2, size: 6 });
     pen.label(x, y, String(why.by), bad);
   }

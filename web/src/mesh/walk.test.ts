@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { across, edgeToward, middleOf } from "./walk";
+import { across, edgeToward, insideOf } from "./walk";
 
 // A square, cut from the lower left to the upper right.
 const square = {
@@ -22,7 +22,7 @@ test("a direction means the edge that lies there", () => {
 });
 
 test("the middle lies within, however large numbers are", () => {
-  expect(middleOf(square, 0)[0]).toBeCloseTo(2 / 3);
+  expect(insideOf(square, 0)[0]).toBeCloseTo(2 / 3);
   const large = { ...square, points: square.points.map((x) => x * 1.7e308) };
-  expect(middleOf(large, 0).every(Number.isFinite)).toBe(true);
+  expect(insideOf(large, 0).every(Number.isFinite)).toBe(true);
 });

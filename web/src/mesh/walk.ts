@@ -1,6 +1,7 @@
 // From a triangle to the one across an edge. Searched for when somebody walks: that is seldom, and nothing has to be kept.
 
 import type { MeshData } from "../engine/protocol";
+import { middleOf, placeOf } from "../stage/places";
 
 type Flat = Pick<MeshData, "points" | "triangles">;
 
@@ -19,7 +20,7 @@ export function across({ triangles }: Flat, triangle: number, corner: number): n
 
 /** Returns the corner whose opposite edge lies most in a direction, seen from the middle. */
 export function edgeToward(mesh: Flat, triangle: number, [dx, dy]: readonly [number, number]): number {
-  const spots = [0, 1, 2].map((k) => spotOf(mesh, mesh.triangles[3 * triangle + k]));
+  const spots = [0, 1, 2].map((k) => placeOf(mesh.points, mesh.triangles[3 * triangle + k]));
   const shares = spots.map((_, k) => {
     const [[ax, ay], [bx, by]] = [spots[(k + 1) % 3], spots[(k + 2) % 3]];
     // Outwards of a triangle that goes counter-clockwise.
@@ -30,10 +31,5 @@ export function edgeToward(mesh: Flat, triangle: number, [dx, dy]: readonly [num
 }
 
 /** Returns a place within a triangle: its middle. */
-export function middleOf(mesh: Flat, triangle: number): [number, number] {
-  const spots = [0, 1, 2].map((k) => spotOf(mesh, mesh.triangles[3 * triangle + k]));
-  // Thirds first: coordinates may be as large as numbers go.
-  return [0, 1].map((k) => spots.reduce((sum, spot) => sum + spot[k] / 3, 0)) as [number, number];
-}
-
-const spotOf = ({ points }: Flat, v: number): [number, number] => [points[2 * v], points[2 * v + 1]];
+export const insideOf = ({ points, triangles }: Flat, triangle: number): [number, number] =>
+  middleOf(points, triangles.subarray(3 * triangle, 3 * triangle + 3));

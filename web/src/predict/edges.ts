@@ -1,6 +1,7 @@
 // The edges that might be flipped: inner ones that are no constraints, each with the apexes of its two triangles.
 
 import type { Coordinates, Frame } from "../engine/protocol";
+import { Picker } from "../stage/picking";
 
 /** An edge, smaller vertex first, and the apexes on both sides of it. */
 export interface Quad {
@@ -37,7 +38,9 @@ export function innerEdges({
 
 const sorted = (a: number, b: number): [number, number] => (a < b ? [a, b] : [b, a]);
 
-/** Finds the edge that is nearest to a place, if it is nearer than `radius`. Linear. */
+const pickers = new WeakMap<Quad[], Picker>();
+
+/** Finds the edge that is nearest to a place, if it is no farther than `radius`. Sorts the edges at the first question. */
 export function nearestEdge(
   points: Coordinates,
   quads: Quad[],
@@ -45,19 +48,13 @@ export function nearestEdge(
   y: number,
   radius: number,
 ): Quad | null {
-  let [nearest, least]: [Quad | null, number] = [null, radius];
-  for (const quad of quads) {
-    const distance = distanceTo(points, quad.edge, x, y);
-    if (distance < least) [nearest, least] = [quad, distance];
-  }
-  return nearest;
+  const picker = pickers.get(quads) ?? pickerFor(points, quads);
+  pickers.set(quads, picker);
+  const found = picker.edge(x, y, radius);
+  return found === null ? null : quads[found];
 }
 
-/** The distance of a place from an edge: what a pointer means, no decision about topology. */
-function distanceTo(points: Coordinates, [a, b]: [number, number], x: number, y: number): number {
-  const [ax, ay] = [points[2 * a], points[2 * a + 1]];
-  const [dx, dy] = [points[2 * b] - ax, points[2 * b + 1] - ay];
-  const along = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1);
-  const t = Math.max(0, Math.min(1, along));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+function pickerFor(points: Coordinates, quads: Quad[]): Picker {
+  const edges = Uint32Array.from(quads.flatMap(({ edge }) => edge));
+  return new Picker({ points, edges, triangles: new Uint32Array() });
 }

@@ -1,11 +1,13 @@
 // The last test of a circle: the circle, the fourth point, the exact answer, and who decides where there is a tie.
 
+import { pale } from "../stage/palette";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
 import { words } from "../words";
-import { circumcircle, drawCircle } from "./circles";
+import { circumcircle } from "./circles";
 import { largest, lastTest } from "./circleTests";
-import { chip, pale, placeOf } from "./looks";
+import { chip } from "./looks";
 import { turn } from "./turn";
 
 /** Draws the test. */
@@ -16,7 +18,8 @@ export const circle: Overlay = (pen) => {
   const { points } = shown;
   const colour = test.is_inside ? pen.palette.bad : pen.palette.good;
   const round = circumcircle(points, test.triangle);
-  if (round) drawCircle(pen, round, { stroke: colour, width: 2, fill: pale(colour, 0.07) });
+  if (round)
+    pen.circle(round.x, round.y, round.radius, { stroke: colour, width: 2, fill: pale(colour, 0.07) });
   pen.polygon(points, test.triangle, { stroke: pale(colour, 0.6), width: 2 });
   pen.dot(...placeOf(points, test.point), { fill: colour, stroke: pen.palette.paper, width: 2, size: 7 });
   const { sides, onCircle, raised } = words.value.see;

@@ -1,7 +1,6 @@
 // Circles, for drawing: rounded. What is decided exactly is decided by the module.
 
 import type { Coordinates } from "../engine/protocol";
-import type { Look, Pen } from "../stage/pen";
 
 export interface Circle {
   x: number;
@@ -64,25 +63,4 @@ export function sideOfDiametral(points: Coordinates, [a, b]: Iterable<number>, d
   const y = (points[2 * a + 1] - dy) * (points[2 * b + 1] - dy);
   const dot = x + y;
   return Math.abs(dot) > 8 * EPSILON * (Math.abs(x) + Math.abs(y)) ? (-Math.sign(dot) as Sign) : 0;
-}
-
-/** A radius in pixels beyond which only a part of a circle is drawn: canvases round their numbers. */
-const HUGE = 20_000;
-
-/** Draws a circle, however large it is. */
-export function drawCircle(pen: Pen, { x, y, radius }: Circle, look: Look): void {
-  const { width, height } = pen.size;
-  if (radius * pen.camera.scale < HUGE) {
-    pen.circle(x, y, radius, look);
-    return;
-  }
-  const { x: eyeX, y: eyeY, scale } = pen.camera;
-  const towards = Math.atan2(eyeY - y, eyeX - x);
-  const half = Math.min(Math.PI, (width + height) / (radius * scale));
-  const places = Array.from({ length: 65 }, (_, i): [number, number] => {
-    const angle = towards + half * (i / 32 - 1);
-    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
-  });
-  const { fill: _, ...outline } = look;
-  pen.path(places, outline);
 }

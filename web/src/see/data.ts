@@ -1,11 +1,13 @@
 // Data and what they count for: which triangle holds a datum, and where clusters have their centers.
 
 import { stage } from "../engine/client";
+import { pale } from "../stage/palette";
+import { middleOf, placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame, SLOT } from "../state/play";
 import { asked } from "./asking";
 import { byHolder } from "./holding";
-import { chip, Labels, middleOf, pale, placeOf } from "./looks";
+import { chip, Labels } from "./looks";
 import { looksAt, standing } from "./turn";
 
 const held = asked(

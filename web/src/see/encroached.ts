@@ -1,9 +1,11 @@
 // Segments to which a vertex is too close, and the circles that say so.
 
+import { pale } from "../stage/palette";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
-import { diametral, drawCircle } from "./circles";
-import { isNear, pale, placeOf, strength } from "./looks";
+import { diametral } from "./circles";
+import { isNear, strength } from "./looks";
 import { linksOf, shown } from "./shown";
 import { turn } from "./turn";
 import { crowding } from "./verdicts";
@@ -16,7 +18,8 @@ export const encroached: Overlay = (pen) => {
   for (const { kind, event } of turn.value) {
     if (kind !== "encroached") continue;
     const segment = event.segment as number[];
-    drawCircle(pen, diametral(points, segment), { stroke: colour, width: 2, fill: pale(colour, 0.1) });
+    const { x, y, radius } = diametral(points, segment);
+    pen.circle(x, y, radius, { stroke: colour, width: 2, fill: pale(colour, 0.1) });
     pen.polygon(points, segment, { stroke: colour, width: 4 });
     pen.dot(...placeOf(points, event.by as number), {
       fill: colour,
@@ -41,6 +44,7 @@ export const circles: Overlay = (pen) => {
     const isBad = state[e] === 1;
     const colour = isBad ? pen.palette.bad : pen.palette.locked;
     const look = { stroke: pale(colour, isBad ? Math.max(share, 0.6) : share), width: isBad ? 1.75 : 1 };
-    drawCircle(pen, diametral(points, constrained.subarray(2 * e, 2 * e + 2)), look);
+    const { x, y, radius } = diametral(points, constrained.subarray(2 * e, 2 * e + 2));
+    pen.circle(x, y, radius, look);
   }
 };

@@ -1,12 +1,15 @@
 // The front of a sweep: the polyline through its vertices with the direction in which it runs, or the beach line.
 
 import type { Frame } from "../engine/protocol";
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
+import { hasSegment } from "../stage/tools/near";
 import { frame, run } from "../state/play";
 import { fillHead, headOf } from "./arrows";
 import { arcsOf, heightAt } from "./beach";
-import { isNear, pale, placeOf } from "./looks";
+import { isNear } from "./looks";
 
 /** The algorithm whose front is a beach line: there the vertices of the front are sites of arcs. */
 const BEACH = "fortune";
@@ -37,12 +40,7 @@ function line(pen: Pen, { points, front: vertices, edges }: Frame): void {
 
 /** Tells whether the front comes back to where it begins: fronts of circles do. */
 function isClosed(vertices: Uint32Array, edges: Uint32Array): boolean {
-  if (vertices.length < 3) return false;
-  const [a, b] = [vertices[0], vertices[vertices.length - 1]];
-  for (let e = 0; e < edges.length; e += 2) {
-    if ((edges[e] === a && edges[e + 1] === b) || (edges[e] === b && edges[e + 1] === a)) return true;
-  }
-  return false;
+  return vertices.length > 2 && hasSegment(edges, vertices[0], vertices[vertices.length - 1]);
 }
 
 function beach(pen: Pen, { points, front: sites, sweep }: Frame): void {

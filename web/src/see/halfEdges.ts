@@ -1,12 +1,14 @@
 // The half-edges of the edge under the pointer, and where their pointers lead: the algebra of a mesh.
 
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
+import { pickerOf } from "../stage/picking";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { pointer } from "../stage/tool";
 import { besideEdge, drawArrow } from "./arrows";
 import { OUTSIDE } from "./links";
-import { chip, pale, placeOf } from "./looks";
-import { nearestEdge } from "./picking";
+import { chip } from "./looks";
 import { type Pointer, pointersOf } from "./pointers";
 import { linksOf, type Shown, shown } from "./shown";
 
@@ -25,8 +27,10 @@ export const halfEdges: Overlay = (pen) => {
   const scene = shown.value;
   const at = pointer.value;
   if (!scene || !at) return;
-  const edge = nearestEdge(scene.points, scene.edges, at.x, at.y);
-  if (edge < 0) return;
+  // Arrows along an edge beyond the view nobody would see.
+  const reach = at.pixel * Math.hypot(pen.size.width, pen.size.height);
+  const edge = pickerOf(scene).edge(at.x, at.y, reach);
+  if (edge === null) return;
   const [from, to] = towards(scene, edge, at.x, at.y);
   const colours = coloursOf(pen);
   const links = linksOf(scene);

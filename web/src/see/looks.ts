@@ -1,13 +1,7 @@
-// What overlays share: paler colours, what fades when there is too much of it, chips of text.
+// What overlays share: what fades when there is too much of it, chips of text.
 
-import type { Coordinates } from "../engine/protocol";
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
-
-/** Returns a colour of the palette, `#rrggbb`, with a share of its strength. */
-export function pale(colour: string, share: number): string {
-  const level = Math.round(255 * Math.max(0, Math.min(1, share)));
-  return `${colour}${level.toString(16).padStart(2, "0")}`;
-}
 
 /** Tells whether a place is seen, or lies just outside. */
 export function isNear(pen: Pen, x: number, y: number, margin = 20): boolean {
@@ -20,22 +14,6 @@ export function isNear(pen: Pen, x: number, y: number, margin = 20): boolean {
 export function strength({ size }: Pen, seen: number, room: number): number {
   const each = Math.sqrt((size.width * size.height) / Math.max(seen, 1));
   return Math.max(0, Math.min(1, (2 * each) / room - 1));
-}
-
-/** Returns the place of a vertex. */
-export const placeOf = (points: Coordinates, v: number): [number, number] => [
-  points[2 * v],
-  points[2 * v + 1],
-];
-
-/** Returns the middle of some vertices. */
-export function middleOf(points: Coordinates, vertices: ArrayLike<number>): [number, number] {
-  let [x, y] = [0, 0];
-  for (let i = 0; i < vertices.length; i++) {
-    x += points[2 * vertices[i]] / vertices.length;
-    y += points[2 * vertices[i] + 1] / vertices.length;
-  }
-  return [x, y];
 }
 
 /** Writes a text on a chip, centered at a pixel, and keeps it in view. */

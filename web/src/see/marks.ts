@@ -1,6 +1,7 @@
 // What the step that has just been taken is about.
 
 import type { Mark } from "../engine/protocol";
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
@@ -18,7 +19,7 @@ function draw(pen: Pen, mark: Mark, points: Float64Array): void {
   const colour = pen.palette[mark.tone];
   switch (mark.shape) {
     case "triangle":
-      pen.polygon(points, mark.triangle, { fill: `${colour}40` });
+      pen.polygon(points, mark.triangle, { fill: pale(colour, 0.25) });
       break;
     case "circle":
       pen.circle(...mark.center, mark.radius, { stroke: colour, width: 1.5, dash: [6, 4] });
@@ -33,22 +34,7 @@ function draw(pen: Pen, mark: Mark, points: Float64Array): void {
       pen.dot(...mark.at, { stroke: colour, width: 2.5, size: 6 });
       break;
     case "cut":
-      cut(pen, mark.cut, colour);
+      pen.across(mark.cut, { stroke: colour, width: 2, dash: [8, 5] });
       break;
   }
-}
-
-function cut(pen: Pen, where: { vertical: number } | { horizontal: number }, colour: string): void {
-  const { low, high } = pen.seen;
-  const [from, to]: [number, number][] =
-    "vertical" in where
-      ? [
-          [where.vertical, low[1]],
-          [where.vertical, high[1]],
-        ]
-      : [
-          [low[0], where.horizontal],
-          [high[0], where.horizontal],
-        ];
-  pen.path([from, to], { stroke: colour, width: 2, dash: [8, 5] });
 }

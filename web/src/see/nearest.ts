@@ -1,15 +1,19 @@
 // The vertex nearest to the pointer, and the walk through the triangles by which it is found.
 
-import { stage } from "../engine/client";
+import { computed } from "@preact/signals";
+import { mesher, stage } from "../engine/client";
+import { pale } from "../stage/palette";
+import { middleOf, placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { pointer } from "../stage/tool";
+import { mode } from "../state/mode";
 import { SLOT } from "../state/play";
 import { asked } from "./asking";
-import { chip, middleOf, pale, placeOf } from "./looks";
+import { chip } from "./looks";
 import { shown } from "./shown";
-import { looksAt, standing } from "./turn";
+import { looksAt, looksAtMesh, standing } from "./turn";
 
-const found = asked(
+const inRun = asked(
   stage,
   () => {
     if (!looksAt("nearest") || !pointer.value || !standing.value) return null;
@@ -17,6 +21,17 @@ const found = asked(
   },
   (engine, { position, x, y }) => engine.looks.nearest(SLOT, position, x, y),
 );
+
+const inMesh = asked(
+  mesher,
+  () => {
+    if (!looksAtMesh("nearest") || !pointer.value || !shown.value) return null;
+    return { of: shown.value.of, x: pointer.value.x, y: pointer.value.y };
+  },
+  (engine, { x, y }) => engine.meshes.nearest(x, y),
+);
+
+const found = computed(() => (mode.value === "mesh" ? inMesh.value : inRun.value));
 
 /** Draws the walk, and a line to the vertex. */
 export const nearest: Overlay = (pen) => {

@@ -70,7 +70,7 @@ export const all: Seen[] = [
     colour: "sweep",
     overlay: cocircular,
   },
-  { name: "voronoi", group: "geometry", modes: play, swatch: "line", colour: "sweep", overlay: voronoi },
+  { name: "voronoi", group: "geometry", modes: scenes, swatch: "line", colour: "sweep", overlay: voronoi },
   { name: "dual", group: "geometry", modes: scenes, swatch: "line", colour: "front", overlay: dual },
   { name: "circles", group: "geometry", modes: scenes, swatch: "ring", colour: "locked", overlay: circles },
   {
@@ -81,7 +81,7 @@ export const all: Seen[] = [
     colour: "asked",
     overlay: halfEdges,
   },
-  { name: "nearest", group: "pointer", modes: play, swatch: "way", colour: "sweep", overlay: nearest },
+  { name: "nearest", group: "pointer", modes: scenes, swatch: "way", colour: "sweep", overlay: nearest },
   { name: "triangle", group: "pointer", modes: scenes, swatch: "ring", colour: "good", overlay: triangle },
 ];
 

@@ -3,13 +3,15 @@
 import { computed } from "@preact/signals";
 import { stage } from "../engine/client";
 import type { Indices } from "../engine/protocol";
+import { pale } from "../stage/palette";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { mode } from "../state/mode";
 import { SLOT } from "../state/play";
 import { isLifted } from "../state/see";
 import { asked } from "./asking";
-import { circumcircle, drawCircle } from "./circles";
-import { isNear, pale, placeOf, strength } from "./looks";
+import { circumcircle } from "./circles";
+import { isNear, strength } from "./looks";
 import { linksOf, type Shown, shown } from "./shown";
 import { looksAt, standing } from "./turn";
 import { surelyIllegal } from "./verdicts";
@@ -63,6 +65,6 @@ export const cocircular: Overlay = (pen) => {
     pen.polygon(points, [a, d, b, c], { fill: pale(colour, 0.13) });
     pen.polygon(points, [c, d], { stroke: pale(colour, 0.8), width: 1.25, dash: [2, 4] });
     const round = share > 0 && circumcircle(points, [a, b, c]);
-    if (round) drawCircle(pen, round, { stroke: pale(colour, 0.5 * share), width: 1 });
+    if (round) pen.circle(round.x, round.y, round.radius, { stroke: pale(colour, 0.5 * share), width: 1 });
   }
 };

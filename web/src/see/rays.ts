@@ -1,9 +1,10 @@
 // Who sees whom: the rays of this turn.
 
+import { pale } from "../stage/palette";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
 import { fillHead, headOf } from "./arrows";
-import { pale, placeOf } from "./looks";
 import { turn } from "./turn";
 
 /** Draws the rays: whole where nothing is in the way, broken where something is. */

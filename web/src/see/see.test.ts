@@ -6,10 +6,9 @@ import { type Happening, NONE } from "../engine/protocol";
 import { besideEdge } from "./arrows";
 import { arcsOf, breakpoint, heightAt } from "./beach";
 import { largest, lastTest } from "./circleTests";
-import { clip, dualOf } from "./dual";
+import { dualOf } from "./dual";
 import { byHolder } from "./holding";
 import { Links, OUTSIDE } from "./links";
-import { nearestEdge, triangleAt } from "./picking";
 import { isSame } from "./same";
 import { isPath, stopsOf } from "./stops";
 import { crowding, inhabitants, settle, surelyIllegal } from "./verdicts";
@@ -94,20 +93,6 @@ test("the dual joins circumcenters, and leaves the hull in rays", () => {
   const downwards = [...rays.subarray(0, 4)];
   expect(downwards).toEqual([2, 1.5, 0, -1]);
   expect(dualOf(points, links, () => true).rays.length).toBe(0);
-});
-
-test("lines are cut to the view", () => {
-  expect(clip([-1, 0.5, 3, 0.5], [0, 0], [1, 1])).toEqual([0.25, 0.5]);
-  expect(clip([0, 2, 1, 2], [0, 0], [1, 1])).toBeNull();
-  expect(clip([0.5, -1e9, 0.5, 1e9], [0, 0], [1, 1])).not.toBeNull();
-});
-
-test("the hand finds the nearest edge and the triangle", () => {
-  const points = Float64Array.of(0, 0, 4, 0, 0, 4);
-  expect(nearestEdge(points, Uint32Array.of(0, 1, 1, 2, 2, 0), 0.5, 2)).toBe(2);
-  expect(nearestEdge(points, new Uint32Array(), 0, 0)).toBe(-1);
-  expect(triangleAt(points, Uint32Array.of(0, 1, 2), 1, 1)).toBe(0);
-  expect(triangleAt(points, Uint32Array.of(0, 1, 2), 3, 3)).toBe(-1);
 });
 
 test("who lies in a circle or on it is told, corners and their doubles aside", () => {

@@ -2,7 +2,7 @@
 
 import { computed } from "@preact/signals";
 import type { Coordinates, Indices } from "../engine/protocol";
-import { mesh } from "../state/mesh";
+import { shownMesh } from "../mesh/follow";
 import { mode } from "../state/mode";
 import { frame, run } from "../state/play";
 import { Links } from "./links";
@@ -43,9 +43,10 @@ function ofRun(): Shown | null {
 }
 
 function ofMesh(): Shown | null {
-  if (!mesh.value) return null;
-  const { points, edges, triangles, constrained } = mesh.value;
-  return { of: mesh.value, position: 0, points, edges, triangles, constrained };
+  const of = shownMesh.value;
+  if (!of) return null;
+  const { points, edges, triangles, constrained } = of;
+  return { of, position: 0, points, edges, triangles, constrained };
 }
 
 const known = new WeakMap<Indices, Links>();

@@ -1,9 +1,8 @@
 // Where the sweep is.
 
+import { pale } from "../stage/palette";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
-import { drawCircle } from "./circles";
-import { pale } from "./looks";
 
 /** Draws the line or the circle of the sweep, with a soft edge. */
 export const sweep: Overlay = (pen) => {
@@ -14,27 +13,8 @@ export const sweep: Overlay = (pen) => {
     { stroke: pale(colour, 0.14), width: 11 },
     { stroke: colour, width: 2 },
   ];
-  const { low, high } = pen.seen;
   for (const look of looks) {
-    if ("circle" in where) {
-      const [x, y] = where.circle.center;
-      drawCircle(pen, { x, y, radius: where.circle.radius }, look);
-    } else if ("vertical" in where) {
-      pen.path(
-        [
-          [where.vertical, low[1]],
-          [where.vertical, high[1]],
-        ],
-        look,
-      );
-    } else {
-      pen.path(
-        [
-          [low[0], where.horizontal],
-          [high[0], where.horizontal],
-        ],
-        look,
-      );
-    }
+    if ("circle" in where) pen.circle(...where.circle.center, where.circle.radius, look);
+    else pen.across(where, look);
   }
 };

@@ -2,15 +2,17 @@
 
 import { computed } from "@preact/signals";
 import { stage } from "../engine/client";
+import { pale } from "../stage/palette";
+import { pickerOf } from "../stage/picking";
+import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { pointer } from "../stage/tool";
 import { SLOT } from "../state/play";
 import { switched } from "../state/see";
 import { words } from "../words";
 import { asked } from "./asking";
-import { circumcircle, drawCircle } from "./circles";
-import { chip, pale, placeOf } from "./looks";
-import { triangleAt } from "./picking";
+import { circumcircle } from "./circles";
+import { chip } from "./looks";
 import { shown } from "./shown";
 import { looksAt, standing } from "./turn";
 import { type Inhabitants, inhabitants, settle } from "./verdicts";
@@ -18,16 +20,16 @@ import { type Inhabitants, inhabitants, settle } from "./verdicts";
 /** Vertices near a circle that are asked about: there are few, but for points on a circle. */
 const MOST = 200;
 
-/** The triangle under the pointer, by its number; -1: none. */
+/** The triangle under the pointer, by its number; null: none. */
 const under = computed(() => {
   const [scene, at] = [shown.value, pointer.value];
-  if (!scene || !at || !switched.value.has("triangle")) return -1;
-  return triangleAt(scene.points, scene.triangles, at.x, at.y);
+  if (!scene || !at || !switched.value.has("triangle")) return null;
+  return pickerOf(scene).triangle(at.x, at.y);
 });
 
 /** The triangle, and who lies in its circle as far as rounded numbers tell. */
 const guessed = computed(() => {
-  if (!shown.value || under.value < 0) return null;
+  if (!shown.value || under.value === null) return null;
   const { points, triangles } = shown.value;
   const corners = triangles.slice(3 * under.value, 3 * under.value + 3);
   return { corners, ...inhabitants(points, corners) };
@@ -64,7 +66,7 @@ export const triangle: Overlay = (pen) => {
   const round = circumcircle(points, corners);
   pen.polygon(points, corners, { fill: pale(colour, 0.18), stroke: colour, width: 2 });
   if (round) {
-    drawCircle(pen, round, { stroke: colour, width: 1.75, fill: pale(colour, 0.06) });
+    pen.circle(round.x, round.y, round.radius, { stroke: colour, width: 1.75, fill: pale(colour, 0.06) });
     pen.dot(round.x, round.y, { fill: colour, size: 3 });
   }
   for (const v of inside.slice(0, 500))

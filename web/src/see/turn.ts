@@ -14,6 +14,10 @@ const users: SeeName[] = ["walk", "circle", "rays", "encroached"];
 export const looksAt = (...names: SeeName[]): boolean =>
   mode.value === "play" && names.some((name) => switched.value.has(name));
 
+/** The same of the mesh. */
+export const looksAtMesh = (...names: SeeName[]): boolean =>
+  mode.value === "mesh" && names.some((name) => switched.value.has(name));
+
 /** The run and the position of the scene that is shown; null if there is none. */
 export const standing = computed(() => {
   if (!run.value || !frame.value) return null;

@@ -1,18 +1,19 @@
 // The Voronoi cells of the points, and the dual of the triangulation: where it is Delaunay, they are the same.
 
 import { computed } from "@preact/signals";
-import { stage } from "../engine/client";
+import { mesher, stage } from "../engine/client";
 import type { Coordinates, Indices } from "../engine/protocol";
 import type { Overlay } from "../stage/Stage";
+import { mode } from "../state/mode";
 import { frame, SLOT } from "../state/play";
 import { asked } from "./asking";
 import { type Dual, dualOf } from "./dual";
 import { drawLines, linesIn } from "./dualLines";
 import { linksOf, type Shown, shown } from "./shown";
-import { looksAt, standing } from "./turn";
+import { looksAt, looksAtMesh, standing } from "./turn";
 
 /** Triangles, or points, beyond which nothing is drawn: it would take longer than anyone wants to wait for. */
-const MOST = 400_000;
+const MOST = 1_500_000;
 
 const none = new Float64Array();
 
@@ -25,7 +26,7 @@ const points = computed<Coordinates>(() => {
   return before;
 });
 
-const cells = asked(
+const inRun = asked(
   stage,
   () => {
     if (!looksAt("voronoi") || !standing.value || points.value.length > 2 * MOST) return null;
@@ -34,6 +35,17 @@ const cells = asked(
   // The position is of no matter to the cells, so that it is not part of what is wanted.
   (engine) => engine.looks.cells(SLOT, standing.peek()?.position ?? 0),
 );
+
+const inMesh = asked(
+  mesher,
+  () => {
+    if (!looksAtMesh("voronoi") || !shown.value || shown.value.points.length > 2 * MOST) return null;
+    return { of: shown.value.of };
+  },
+  (engine) => engine.meshes.cells(),
+);
+
+const cells = computed(() => (mode.value === "mesh" ? inMesh.value : inRun.value));
 
 /** Draws the cells of all points, whatever triangles there are. */
 export const voronoi: Overlay = (pen) => {

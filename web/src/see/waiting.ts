@@ -2,12 +2,14 @@
 
 import { computed } from "@preact/signals";
 import { stage } from "../engine/client";
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
+import { middleOf, placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame, SLOT } from "../state/play";
 import { asked } from "./asking";
-import { circumcircle, drawCircle } from "./circles";
-import { Labels, middleOf, pale, placeOf, strength } from "./looks";
+import { circumcircle } from "./circles";
+import { Labels, strength } from "./looks";
 import { looksAt, standing } from "./turn";
 import { type Waiter, waitersOf } from "./waiters";
 
@@ -52,7 +54,11 @@ function outline(pen: Pen, points: Float64Array, { queue, vertices, isNext }: Wa
     // Three arcs that meet when the sweep has come to the end of their circle.
     const round = circumcircle(points, vertices);
     if (round)
-      drawCircle(pen, round, { stroke: pale(colour, share * 0.8), width: isNext ? 2 : 1, dash: [3, 4] });
+      pen.circle(round.x, round.y, round.radius, {
+        stroke: pale(colour, share * 0.8),
+        width: isNext ? 2 : 1,
+        dash: [3, 4],
+      });
   } else {
     pen.polygon(points, vertices, {
       fill: pale(colour, share * 0.45),

@@ -1,10 +1,12 @@
 // The walk, or the search, by which a point is being found, or a segment followed.
 
+import { pale } from "../stage/palette";
 import type { Pen } from "../stage/pen";
+import { middleOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
 import { fillHead, headOf, type Pixel } from "./arrows";
-import { Labels, middleOf, pale } from "./looks";
+import { Labels } from "./looks";
 import { isPath, type Stop, stopsOf } from "./stops";
 import { turn } from "./turn";
 

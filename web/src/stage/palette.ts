@@ -34,3 +34,9 @@ export function readPalette(element: Element): Palette {
   const colours = names.map((name) => [name, style.getPropertyValue(`--stage-${name}`).trim()]);
   return Object.fromEntries(colours) as Palette;
 }
+
+/** Returns a colour of the palette, `#rrggbb`, with a share of its strength. */
+export function pale(colour: string, share: number): string {
+  const level = Math.round(255 * Math.max(0, Math.min(1, share)));
+  return `${colour}${level.toString(16).padStart(2, "0")}`;
+}

@@ -71,6 +71,15 @@ export class Pen {
     );
   }
 
+  /** Draws an upright or a level line from one side of the view to the other. */
+  across(where: { vertical: number } | { horizontal: number }, look: Look): void {
+    const { low, high } = this.seen;
+    const isUpright = "vertical" in where;
+    const from = isUpright ? [where.vertical, low[1]] : [low[0], where.horizontal];
+    const to = isUpright ? [where.vertical, high[1]] : [high[0], where.horizontal];
+    this.path([from as [number, number], to as [number, number]], look);
+  }
+
   circle(x: number, y: number, radius: number, look: Look): void {
     const [px, py] = this.at(x, y);
     const size = radius * this.camera.scale;

@@ -136,7 +136,8 @@ test("nothing is found in nothing", () => {
 
 test("a picker lasts as long as its lists", () => {
   const scene = grid(3, 1, 0, false);
-  expect(pickerOf(scene)).toBe(pickerOf({ ...scene, values: new Float32Array(8) }));
+  const recoloured: StageScene = { ...scene, values: new Float32Array(8) };
+  expect(pickerOf(scene)).toBe(pickerOf(recoloured));
   expect(pickerOf(scene)).not.toBe(pickerOf({ ...scene, edges: scene.edges.slice() }));
 });
 

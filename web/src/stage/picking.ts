@@ -7,13 +7,16 @@ import { relative } from "./anchor";
 import { type Boxes, BoxTree, type Search } from "./boxtree";
 import type { StageScene } from "./scene";
 
+/** What is searched: the lists of a scene. */
+export type Lists = Pick<StageScene, "points" | "edges" | "triangles">;
+
 /** Finds vertices, edges and triangles of a scene. Each kind of search sorts the scene at its first question. */
 export class Picker {
   private vertices: BoxTree | undefined;
   private edges: BoxTree | undefined;
   private triangles: BoxTree | undefined;
 
-  constructor(readonly scene: StageScene) {}
+  constructor(readonly scene: Lists) {}
 
   /** Returns the vertex nearest to a place, not farther than `radius`; of several the first. */
   vertex(x: number, y: number, radius: number): number | null {
@@ -58,7 +61,7 @@ export class Picker {
 const pickers = new WeakMap<Coordinates, Picker>();
 
 /** Returns the picker of a scene; the same one as long as points, edges and triangles are the same. */
-export function pickerOf(scene: StageScene): Picker {
+export function pickerOf(scene: Lists): Picker {
   const known = pickers.get(scene.points);
   if (known?.scene.edges === scene.edges && known.scene.triangles === scene.triangles) return known;
   const picker = new Picker(scene);

@@ -49,7 +49,8 @@ export const see: Words["see"] = {
     illegal:
       "Kanten, die nicht lokal Delaunay sind: Der Umkreis auf einer Seite enthält die Ecke der anderen.",
     cocircular: "Vierecke, deren vier Ecken exakt auf einem Kreis liegen: Beide Diagonalen wären recht.",
-    voronoi: "Was jedem Punkt näher liegt als jedem anderen, welche Dreiecke es auch schon gibt.",
+    voronoi:
+      "Was jedem Punkt näher liegt als jedem anderen, welche Dreiecke es auch gibt. Von sehr vielen Zellen ist nichts zu sehen: näher heran!",
     dual: "Umkreismittelpunkte benachbarter Dreiecke, verbunden. Wo die Triangulierung Delaunay ist, sind das die Grenzen der Voronoi-Zellen.",
     circles: "Der kleinste Kreis um jede Zwangskante. Rot: Eine benachbarte Ecke liegt darin.",
     halfEdges:

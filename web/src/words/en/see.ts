@@ -40,7 +40,8 @@ export const see = {
     numbers: "The numbers of the vertices. They fade when there are too many: zoom in.",
     illegal: "Edges that are not locally Delaunay: the circle of one side holds the corner of the other.",
     cocircular: "Quadrilaterals whose four corners lie on one circle, exactly: both diagonals would do.",
-    voronoi: "What is nearer to each point than to any other, whatever triangles there are yet.",
+    voronoi:
+      "What is nearer to each point than to any other, whatever triangles there are. Of very many cells nothing is drawn: zoom in.",
     dual: "The circumcenters of neighbours joined. Where the triangulation is Delaunay, these are the borders of the Voronoi cells.",
     circles: "The smallest circle around each constraint. Red: a corner next to it lies inside.",
     halfEdges:
