@@ -83,7 +83,7 @@ impl Player {
     /// that take points alone.
     ///
     /// `options` is JSON: `{seed, minAngle, maxEdge, dataPerTriangle, domain}`: for random orders; bounds for
-    /// `thesis`; for algorithms that cover data; `"hull"`, `"carve"` or `"evenodd"`.
+    /// `thesis` and `refinement`; for algorithms that cover data; `"hull"`, `"carve"` or `"evenodd"`.
     ///
     /// `progress` is called with `("recording", steps, 0)` now and then, for nobody knows how many there will be;
     /// the run stops, with an error, once it returns `false`.

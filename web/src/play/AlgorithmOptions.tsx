@@ -4,12 +4,9 @@ import { DiceIcon } from "../app/icons";
 import type { RunOptions } from "../engine/protocol";
 import { algorithm, options } from "../state/play";
 import { words } from "../words";
-import { wants, withOption } from "./wants";
+import { usual, wants, withOption } from "./wants";
 
 const rules = ["hull", "carve", "evenodd"] as const;
-
-/** What is taken where nothing is said; told in the empty field. */
-const usual: Partial<Record<keyof RunOptions, string>> = { minAngle: "20", maxEdge: "3" };
 
 const limits: Partial<Record<keyof RunOptions, { min: number; max?: number; step?: string }>> = {
   seed: { min: 0, max: 0xffffffff },
@@ -44,7 +41,7 @@ function Amount({ name }: { name: Exclude<keyof RunOptions, "domain"> }) {
         <input
           type="number"
           {...limits[name]}
-          placeholder={isAlone ? "–" : (usual[name] ?? say.usual)}
+          placeholder={isAlone ? "–" : placeholderOf(name)}
           value={now[name] ?? ""}
           onChange={(event) => put(name, event.currentTarget.valueAsNumber)}
         />
@@ -56,6 +53,12 @@ function Amount({ name }: { name: Exclude<keyof RunOptions, "domain"> }) {
       )}
     </div>
   );
+}
+
+/** An empty field tells what is taken. */
+function placeholderOf(name: keyof RunOptions): string {
+  const known = algorithm.value && usual(algorithm.value, name);
+  return known ?? (name === "maxEdge" ? "–" : words.value.play.usual);
 }
 
 function roll(): void {

@@ -6,6 +6,7 @@ import { jobOf } from "../state/job";
 import { tell } from "../state/notices";
 import { algorithm, askRun, frame, run } from "../state/play";
 import { count, words } from "../words";
+import { isAboutAngles } from "./wants";
 
 /** Angles below this are counted in words. */
 const SMALL = 20;
@@ -36,7 +37,7 @@ async function follow(): Promise<void> {
 export function Angles() {
   const say = words.value.play.angles;
   // Open of its own accord where angles are what it is about.
-  const isAbout = algorithm.value?.name === "thesis";
+  const isAbout = algorithm.value !== undefined && isAboutAngles(algorithm.value);
   const opened = useSignal<boolean | null>(null);
   const isOpen = opened.value ?? isAbout;
   return (

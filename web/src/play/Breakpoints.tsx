@@ -1,7 +1,7 @@
 // Where playing stops: a list, and a form to add to it.
 
 import { useSignal } from "@preact/signals";
-import { NextIcon, PreviousIcon, RemoveIcon } from "../app/icons";
+import { CloseIcon, NextIcon, PreviousIcon } from "../app/icons";
 import { addBreakpoint, breakpoints, removeBreakpoint, switchBreakpoint } from "../state/breakpoints";
 import { position, shownRun } from "../state/play";
 import { words } from "../words";
@@ -43,7 +43,7 @@ function List() {
               title={say.remove}
               onClick={() => removeBreakpoint(id)}
             >
-              <RemoveIcon />
+              <CloseIcon />
             </button>
           </li>
         ))}

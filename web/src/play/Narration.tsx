@@ -4,6 +4,7 @@ import { stopped } from "../state/breakpoints";
 import { frame, heading, isPlaying, position, shownRun, speed } from "../state/play";
 import { words } from "../words";
 import { sayCondition } from "./conditions";
+import { sayKind } from "./described";
 
 /** Steps a second beyond which nobody listens. */
 const LISTENING = 1;
@@ -20,8 +21,14 @@ export function Narration() {
       <p class="quiet narration-note">
         {here && <strong>{say.breakpoints.stopped(sayCondition(here.breakpoint.condition))}</strong>}
         {!here && isEnd && say.end}
-        {!here && !isEnd && shown?.step && <code>{shown.step.kind}</code>}
+        {!here && !isEnd && shown?.step && <Kind of={shown.step.kind} />}
       </p>
     </section>
   );
+}
+
+/** Names of the library are set like code. */
+function Kind({ of }: { of: string }) {
+  const said = sayKind(of);
+  return said === of ? <code>{of}</code> : <span>{said}</span>;
 }

@@ -2,6 +2,7 @@
 
 import type { Condition } from "../engine/protocol";
 import { number, words } from "../words";
+import { sayKind } from "./described";
 
 /** Says what stops. */
 export function sayCondition(condition: Condition): string {
@@ -9,7 +10,7 @@ export function sayCondition(condition: Condition): string {
   const { names } = words.value.play.curves;
   if ("kind" in condition) {
     if (condition.kind === "flip") return said.flip;
-    return condition.kind === "stage" ? said.stage : said.kind(condition.kind);
+    return condition.kind === "stage" ? said.stage : said.kind(sayKind(condition.kind));
   }
   if ("line" in condition) return said.line(condition.line);
   if ("vertex" in condition) return said.vertex(condition.vertex);

@@ -11,6 +11,9 @@ export function described(of: Algorithm): Told & { isEnglish: boolean } {
   return { ...(own ?? of), isEnglish: own === undefined };
 }
 
+/** Names a kind of steps. */
+export const sayKind = (kind: string): string => words.value.play.steps[kind] ?? kind;
+
 /** Writes a title as the beginning of a line. */
 export function titleOf(name: string, title: string): string {
   const told = words.value.play.algorithms[name]?.title ?? title;

@@ -148,3 +148,18 @@ test("while a seed is turned, the run stays at its end", async () => {
   await page.getByText("Before the first step.").waitFor();
   expect(theatre.complaints).toEqual([]);
 });
+
+test("in German, algorithms are described and steps are named in German", async () => {
+  const page = await theatre.visit("", { locale: "de" });
+  const choice = page.getByRole("combobox", { name: "Algorithmus" });
+  for (const name of ["constrained", "refinement"]) {
+    await choice.selectOption(name);
+    const about = page.locator(".work details").filter({ hasText: "Beschreibung" });
+    expect(await about.locator("dl").getAttribute("lang")).toBeNull();
+    expect(await about.locator("a").getAttribute("href")).toBe(`guide/${name}.html`);
+  }
+  await page.getByText("Vor dem ersten Schritt.").waitFor();
+  await page.getByRole("button", { name: "Schritt", exact: true }).click();
+  await page.locator(".narration-note").filter({ hasText: /(Ecke|Kante|Dreieck) entsteht/ }).waitFor();
+  expect(theatre.complaints).toEqual([]);
+});

@@ -114,4 +114,17 @@ export const algorithms: Words["play"]["algorithms"] = {
     cost: "gewöhnlich linear, entlang einer raumfüllenden Kurve; schlimmstenfalls O(n²)",
     guarantees: "die kanonische Delaunay-Triangulierung",
   },
+  constrained: {
+    title: "Delaunay-Triangulierung mit festen Kanten",
+    idea: "Der Korridor von Dreiecken, durch den eine Strecke läuft, wird geräumt und die Strecke zur Kante; beide Seiten werden durch Abschneiden von Ohren trianguliert, und was nicht Delaunay ist, wird gekippt. Zuletzt flutet das Äußere herein bis an die Strecken.",
+    cost: "in der Praxis wenige Tests für jede Kante, die eine Strecke kreuzt; O(k log k) für k davon entlang von Kurven",
+    guarantees: "die kanonische Delaunay-Triangulierung des Gebiets mit festen Kanten",
+  },
+  refinement: {
+    title: "Delaunay-Verfeinerung",
+    idea: "In den leeren Kreis eines schlechten Dreiecks kommt eine Ecke; wo sie aber einer Strecke zu nahe käme, wird stattdessen diese geteilt.",
+    cost: "in der Praxis konstant für jede neue Ecke; wie viele es werden, entscheiden die Ziele",
+    guarantees:
+      "endet bei jeder Eingabe und jedem Winkel, mit einem Delaunay-Netz mit festen Kanten; in der Praxis bis 33°, außer bei Winkeln der Eingabe",
+  },
 };

@@ -2,11 +2,13 @@
 
 import type { Words } from "..";
 import { algorithms } from "./algorithms";
+import { steps } from "./steps";
 
 export const play: Words["play"] = {
   heading: "Algorithmus",
   algorithm: "Algorithmus",
   algorithms,
+  steps,
   takes: {
     points: "Für Punkte",
     triangulation: "Für eine Triangulierung",

@@ -13,6 +13,8 @@ export const play = {
   algorithm: "Algorithm",
   /** By the name of the algorithm. */
   algorithms: {} as Record<string, Described>,
+  /** By the kind of the step; nothing where the name of the kind says it. */
+  steps: {} as Record<string, string>,
   takes: {
     points: "For points",
     triangulation: "For a triangulation",
