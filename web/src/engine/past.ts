@@ -21,6 +21,8 @@ const beginnings = new Set([
   "segment-considered",
   "triangle-considered",
   "set-divided",
+  "encroached",
+  "circumcenter-proposed",
   "cluster-split",
   "stage-ended",
   "taken-back",

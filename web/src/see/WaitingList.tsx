@@ -1,6 +1,6 @@
 // What waits, as a list.
 
-import { number, words } from "../words";
+import { count, words } from "../words";
 import { fromFirst, type Waiter } from "./waiters";
 import { waiters } from "./waiting";
 
@@ -17,7 +17,7 @@ export function WaitingList() {
   return (
     <div class="waiting">
       <h3>
-        {say.heading} <span class="quiet">{`${names}: ${number(all.length)}`}</span>
+        {say.heading} <span class="quiet">{`${names}: ${count(all.length)}`}</span>
       </h3>
       <ol>
         {listed.map((waiter, i) => (
@@ -28,7 +28,7 @@ export function WaitingList() {
           </li>
         ))}
       </ol>
-      {rest > 0 && <p class="quiet">{say.more(number(rest))}</p>}
+      {rest > 0 && <p class="quiet">{say.more(count(rest))}</p>}
     </div>
   );
 }

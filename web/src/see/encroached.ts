@@ -5,28 +5,24 @@ import { placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
 import { diametral } from "./circles";
+import { encroachments } from "./encroachments";
 import { isNear, strength } from "./looks";
 import { linksOf, shown } from "./shown";
 import { turn } from "./turn";
 import { crowding } from "./verdicts";
 
-/** Draws the segments that have been found encroached in this turn. */
+/** Draws the segments that a vertex is too close to, or would have been, in this turn. */
 export const encroached: Overlay = (pen) => {
   const points = frame.value?.points;
   if (!points) return;
-  const colour = pen.palette.bad;
-  for (const { kind, event } of turn.value) {
-    if (kind !== "encroached") continue;
-    const segment = event.segment as number[];
+  const { bad: colour, paper } = pen.palette;
+  for (const { segment, by } of encroachments(turn.value)) {
     const { x, y, radius } = diametral(points, segment);
     pen.circle(x, y, radius, { stroke: colour, width: 2, fill: pale(colour, 0.1) });
     pen.polygon(points, segment, { stroke: colour, width: 4 });
-    pen.dot(...placeOf(points, event.by as number), {
-      fill: colour,
-      stroke: pen.palette.paper,
-      width: 2,
-      size: 6,
-    });
+    if (typeof by === "number")
+      pen.dot(...placeOf(points, by), { fill: colour, stroke: paper, width: 2, size: 6 });
+    else pen.dot(...by, { fill: paper, stroke: colour, width: 2.5, size: 5 });
   }
 };
 

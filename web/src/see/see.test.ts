@@ -7,6 +7,7 @@ import { besideEdge } from "./arrows";
 import { arcsOf, breakpoint, heightAt } from "./beach";
 import { largest, lastTest } from "./circleTests";
 import { dualOf } from "./dual";
+import { encroachments } from "./encroachments";
 import { byHolder } from "./holding";
 import { Links, OUTSIDE } from "./links";
 import { isSame } from "./same";
@@ -63,6 +64,21 @@ test("what waits is listed in the order in which it came", () => {
   expect(ranks(fromFirst(stack, 2))).toEqual([4, 3]);
   const queue = stack.map((waiter) => ({ ...waiter, isNext: waiter.rank === 1 }));
   expect(ranks(fromFirst(queue, 2))).toEqual([1, 2]);
+});
+
+test("segments are encroached upon by vertices, and by places where one was to be", () => {
+  const happening = (kind: string, event: Happening["event"]): Happening => ({ position: 1, kind, event });
+  const found = encroachments([
+    happening("encroached", { segment: [3, 4], by: 7 }),
+    happening("circumcenter-proposed", { triangle: [1, 2, 3], at: [0.5, 2] }),
+    happening("circumcenter-rejected", { triangle: [1, 2, 3], edge: [5, 6] }),
+    happening("segment-split", { edge: [5, 6], vertex: 8 }),
+  ]);
+  expect(found).toEqual([
+    { segment: [3, 4], by: 7 },
+    { segment: [5, 6], by: [0.5, 2] },
+  ]);
+  expect(encroachments([happening("circumcenter-rejected", { edge: [5, 6] })])).toEqual([]);
 });
 
 test("arcs of the beach line meet where they are equally high", () => {

@@ -60,14 +60,25 @@ const picture = (of: Locator): Promise<string> =>
 
 const box = (page: Page, name: string): Locator => page.getByRole("checkbox", { name, exact: true });
 
-/** Switches something on, sees that more is drawn, and switches it off again. */
-async function draws(page: Page, name: string): Promise<void> {
+/**
+ * Switches something on, sees that more is drawn, and switches it off again; by keys if the pointer is to stay where
+ * it is.
+ */
+async function draws(page: Page, name: string, byKeys = false): Promise<void> {
+  const toggle = () => (byKeys ? box(page, name).press("Space") : box(page, name).click());
   const before = await drawn(canvas(page));
   const now = () => drawn(canvas(page));
-  await box(page, name).check();
+  await toggle();
   await expect.poll(now, { message: name, timeout: 5000 }).toBeGreaterThan(before + 20);
-  await box(page, name).uncheck();
+  await toggle();
   await expect.poll(now, { message: `${name}, off`, timeout: 5000 }).toBe(before);
+}
+
+/** Jumps to the next moment of a kind. */
+async function jump(page: Page, kind: string): Promise<void> {
+  await page.getByRole("combobox", { name: "Jump to" }).selectOption({ label: kind });
+  await page.getByRole("button", { name: `Next: ${kind}` }).click();
+  await settled(page);
 }
 
 /** Goes on, step by step at most so far, until the page says something. */
@@ -122,6 +133,42 @@ test("what some algorithms have of their own is drawn", async () => {
   expect(theatre.complaints).toEqual([]);
 });
 
+test("refinement shows what is encroached upon, and how angles become better", async () => {
+  const page = await bare();
+  await play(page, "refinement", "lake");
+  await page.getByLabel("Smallest angle, degrees").fill("33");
+  await page.getByLabel("Smallest angle, degrees").press("Enter");
+  await settled(page);
+  // The domain is laid out first, and takes thousands of steps.
+  await jump(page, "end of a stage");
+  await until(page, /too close/);
+  await draws(page, "Encroachment");
+  await draws(page, "Diametral circles");
+  await until(page, /rejected/);
+  await draws(page, "Encroachment");
+  const small = async () =>
+    Number(/, (\d+) of them/.exec((await page.locator(".angles figcaption").textContent()) ?? "")?.[1]);
+  const before = await small();
+  await seek(page, 1);
+  expect(before).toBeGreaterThan(0);
+  await expect.poll(small).toBeLessThan(before);
+  await page.screenshot({ path: "test-results/see-refinement.png" });
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("a race has no switches, and none of what they switch", async () => {
+  const page = await bare();
+  for (const each of await page.locator(".see").getByRole("checkbox").all()) await each.check();
+  await page.getByRole("button", { name: "Race", exact: true }).click();
+  await page.locator(".lane").first().waitFor();
+  expect(await page.locator(".see").count()).toBe(0);
+  const sheet = page.locator(".lane .stage canvas").last();
+  await sheet.hover();
+  await settled(page);
+  expect(await drawn(sheet), "before the start").toBe(0);
+  expect(theatre.complaints).toEqual([]);
+});
+
 test("edges are judged", async () => {
   const page = await bare();
   await play(page, "flip-list", "grid");
@@ -164,7 +211,17 @@ test("a mesh has overlays too", async () => {
   await page.getByRole("button", { name: "Mesh", exact: true }).first().click();
   await page.getByRole("button", { name: "Mesh it" }).click();
   await page.locator(".mesh-outcome").waitFor();
-  for (const name of ["Dual (Voronoi)", "Diametral circles"]) await draws(page, name);
+  for (const name of ["Voronoi cells", "Dual (Voronoi)", "Diametral circles"]) await draws(page, name);
+  // In the middle there is a hole.
+  const place = (await canvas(page).boundingBox())!;
+  const point = (share: number) =>
+    page.mouse.move(place.x + place.width / 2 + share * place.height, place.y + place.height / 2);
+  await point(0.25);
+  for (const name of ["Nearest vertex", "Half-edges", "Triangle"]) await draws(page, name, true);
+  await box(page, "Voronoi cells").check();
+  await box(page, "Nearest vertex").check();
+  await point(0.3);
+  await settled(page);
   await page.screenshot({ path: "test-results/see-mesh.png" });
   expect(theatre.complaints).toEqual([]);
 });

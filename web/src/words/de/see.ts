@@ -42,7 +42,8 @@ export const see: Words["see"] = {
     front: "Der Rand dessen, was ein Sweep fertiggestellt hat; bei Fortunes Algorithmus die Uferlinie.",
     sweep: "Die Gerade oder der Kreis, mit dem die Ebene überstrichen wird.",
     rays: "Wer wen sieht: gestrichelt, wo etwas im Weg ist.",
-    encroached: "Strecken, in deren Durchmesserkreis eine Ecke liegt, in dieser Runde gefunden.",
+    encroached:
+      "Die Strecke, der eine Ecke zu nahe ist, mit ihrem Durchmesserkreis; oder zu nahe wäre, käme sie dahin, wo sie hin soll.",
     clusters: "Die Mittelpunkte der Gruppen von Daten.",
     holders: "Für welches Dreieck jeder Datenpunkt zählt, und wie viele jedes Dreieck hat.",
     numbers: "Die Nummern der Ecken. Sie verblassen, wenn es zu viele sind: näher herangehen.",

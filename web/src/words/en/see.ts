@@ -34,7 +34,8 @@ export const see = {
     front: "The boundary of what a sweep has finished; for Fortune's algorithm the beach line.",
     sweep: "The line or circle that sweeps over the plane.",
     rays: "Who sees whom: broken where something is in the way.",
-    encroached: "Segments that have a vertex in their diametral circle, found in this turn.",
+    encroached:
+      "The segment that a vertex is too close to, with its diametral circle; or would be, if it were put where it was meant to be.",
     clusters: "The centers of the clusters of data.",
     holders: "For which triangle each datum counts, and how many data each triangle holds.",
     numbers: "The numbers of the vertices. They fade when there are too many: zoom in.",
