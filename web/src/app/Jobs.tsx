@@ -3,7 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { cancelJobs, type Job, jobs } from "../state/job";
-import { number, words } from "../words";
+import { count, words } from "../words";
 
 /** Milliseconds after which work counts as long. */
 const PATIENCE = 300;
@@ -32,7 +32,7 @@ function Bar({ job }: { job: Job }) {
       ) : (
         <progress aria-label={say.jobs[job.name]} />
       )}
-      {job.done > 0 && <span class="figure">{number(job.done)}</span>}
+      {job.done > 0 && <span class="figure">{count(job.done)}</span>}
       <button type="button" onClick={cancelJobs}>
         {say.cancel}
       </button>

@@ -1,14 +1,22 @@
-// Icons: one shape each, in the colour of the text around them; always beside or under a label in words.
+// Icons: one shape each, drawn with one pen on one grid, in the colour of the text around them; always beside or under a
+// label in words.
 
 import type { ComponentChildren } from "preact";
 
-function Icon({ children }: { children: ComponentChildren }) {
+interface IconProps {
+  children: ComponentChildren;
+  /** Whether shapes are filled, as players of films have them. */
+  isSolid?: boolean;
+}
+
+function Icon({ children, isSolid = false }: IconProps) {
   return (
     <svg
+      class="icon"
       viewBox="0 0 24 24"
       width="20"
       height="20"
-      fill="none"
+      fill={isSolid ? "currentColor" : "none"}
       stroke="currentColor"
       stroke-width="2"
       stroke-linecap="round"
@@ -217,27 +225,88 @@ export const AcrossIcon = () => (
   </Icon>
 );
 
-/** A filled shape, as players of films have them. */
-const icon = (shape: string) => () => (
-  <svg class="icon" viewBox="0 0 16 16" width="16" height="16" fill="currentColor" aria-hidden="true">
-    <path d={shape} />
-  </svg>
+/** An arrowhead to the right: play. */
+export const PlayIcon = () => (
+  <Icon isSolid>
+    <path d="M7.5 5v14L18 12z" />
+  </Icon>
 );
 
-export const PlayIcon = icon("M4 2.2v11.6L13.5 8z");
-export const BackwardsIcon = icon("M12 2.2v11.6L2.5 8z");
-export const PauseIcon = icon("M3.5 2.5h3.2v11H3.5zM9.3 2.5h3.2v11H9.3z");
-export const StepIcon = icon("M3 2.8v10.4L10 8zM11 2.8h2.2v10.4H11z");
-export const StepBackIcon = icon("M13 2.8v10.4L6 8zM2.8 2.8H5v10.4H2.8z");
-export const LastIcon = icon("M1.8 3v10L7.3 8zM7 3v10l5.5-5zM12.3 3h2v10h-2z");
-export const FirstIcon = icon("M14.2 3v10L8.7 8zM9 3v10L3.5 8zM1.7 3h2v10h-2z");
-export const NextIcon = icon("M5 2.2l1.6-1.4L13.4 8l-6.8 7.2L5 13.8 10.4 8z");
-export const PreviousIcon = icon("M11 2.2L9.4.8 2.6 8l6.8 7.2 1.6-1.4L5.6 8z");
-export const MoreIcon = icon(
-  "M1.5 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0zM6.4 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0zM11.3 8a1.6 1.6 0 1 1 3.2 0 1.6 1.6 0 0 1-3.2 0z",
+/** An arrowhead to the left: play backwards. */
+export const BackwardsIcon = () => (
+  <Icon isSolid>
+    <path d="M16.5 5v14L6 12z" />
+  </Icon>
 );
-export const RestartIcon = icon("M8 2a6 6 0 1 1-5.7 4.1l1.9.6A4 4 0 1 0 8 4v2.6L3.8 3.2 8 0z");
-export const RemoveIcon = icon(
-  "M3.1 1.7L8 6.6l4.9-4.9 1.4 1.4L9.4 8l4.9 4.9-1.4 1.4L8 9.4l-4.9 4.9-1.4-1.4L6.6 8 1.7 3.1z",
+
+/** Two bars: pause. */
+export const PauseIcon = () => (
+  <Icon isSolid>
+    <path d="M7 5.5h2.5v13H7zM14.5 5.5H17v13h-2.5z" />
+  </Icon>
 );
-export const CheckIcon = icon("M6.3 13.4L1.4 8.5l1.7-1.7 3.2 3.2 6.6-7 1.7 1.7z");
+
+/** An arrowhead before a bar: a step. */
+export const StepIcon = () => (
+  <Icon isSolid>
+    <path d="M6 5.5v13l9-6.5zM18.5 5.5v13" />
+  </Icon>
+);
+
+/** The same the other way round: a step back. */
+export const StepBackIcon = () => (
+  <Icon isSolid>
+    <path d="M18 5.5v13L9 12zM5.5 5.5v13" />
+  </Icon>
+);
+
+/** Two arrowheads before a bar: the end. */
+export const LastIcon = () => (
+  <Icon isSolid>
+    <path d="M4 6.5v11l6-5.5zM12 6.5v11l6-5.5zM21 6v12" />
+  </Icon>
+);
+
+/** The same the other way round: the beginning. */
+export const FirstIcon = () => (
+  <Icon isSolid>
+    <path d="M20 6.5v11L14 12zM12 6.5v11L6 12zM3 6v12" />
+  </Icon>
+);
+
+/** A chevron to the right: the next one. */
+export const NextIcon = () => (
+  <Icon>
+    <path d="m9 5 7 7-7 7" />
+  </Icon>
+);
+
+/** A chevron to the left: the previous one. */
+export const PreviousIcon = () => (
+  <Icon>
+    <path d="m15 5-7 7 7 7" />
+  </Icon>
+);
+
+/** Three dots: what else there is. */
+export const MoreIcon = () => (
+  <Icon isSolid>
+    <circle cx="5" cy="12" r="1" />
+    <circle cx="12" cy="12" r="1" />
+    <circle cx="19" cy="12" r="1" />
+  </Icon>
+);
+
+/** An arrow that goes around: from the beginning. */
+export const RestartIcon = () => (
+  <Icon>
+    <path d="M4.5 4v5h5M4.9 9A7.8 7.8 0 1 1 4.2 13" />
+  </Icon>
+);
+
+/** A tick: so it is. */
+export const CheckIcon = () => (
+  <Icon>
+    <path d="m4.5 12.5 5 5L19.5 7" />
+  </Icon>
+);

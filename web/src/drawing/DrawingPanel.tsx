@@ -3,7 +3,7 @@
 import { EmptyIcon } from "../app/icons";
 import { FileButtons } from "../files/FileButtons";
 import { drawing, openEmpty } from "../state/drawing";
-import { number, words } from "../words";
+import { count, words } from "../words";
 import { Exact } from "./Exact";
 import { Presets } from "./Presets";
 import "./drawing.css";
@@ -23,7 +23,7 @@ export function DrawingPanel() {
         <FileButtons />
       </div>
       <p class="quiet about">
-        {about ? say.summary(number(about.points), number(about.segments), number(about.holes)) : "\u00a0"}
+        {about ? say.summary(count(about.points), count(about.segments), count(about.holes)) : "\u00a0"}
       </p>
       <Exact />
     </section>

@@ -2,6 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { CloseIcon } from "../app/icons";
 import type { Mark } from "../engine/protocol";
 import { circumcircle } from "../see/circles";
 import { lastTest } from "../see/circleTests";
@@ -75,9 +76,7 @@ export function Lift() {
         <canvas ref={canvas} />
       </div>
       <button type="button" class="lift-close" aria-label={say.close} title={say.close} onClick={close}>
-        <svg viewBox="0 0 16 16" aria-hidden="true">
-          <path d="m3.5 3.5 9 9m0-9-9 9" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" />
-        </svg>
+        <CloseIcon />
       </button>
       <div class="lift-foot">
         <label>

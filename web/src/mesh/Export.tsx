@@ -2,6 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { copy } from "../app/clipboard";
 import { SaveIcon } from "../app/icons";
 import { stage } from "../engine/client";
 import type { Preset } from "../engine/protocol";
@@ -85,16 +86,15 @@ function Command() {
 function Copyable({ text, hint }: { text: string; hint: string }) {
   const say = words.value.mesh.export;
   const copied = useSignal("");
-  const copy = () =>
-    navigator.clipboard.writeText(text).then(() => {
-      copied.value = text;
-    }, tell);
+  const take = async () => {
+    if (await copy(text)) copied.value = text;
+  };
   return (
     <div class="mesh-copy">
       <pre>
         <code>{text}</code>
       </pre>
-      <button type="button" onClick={copy}>
+      <button type="button" onClick={() => void take()}>
         {say.copy}
       </button>
       <small class="quiet" aria-live="polite">

@@ -6,7 +6,7 @@ import { type Measure, measures } from "../engine/protocol";
 import { scale } from "../stage/scale";
 import { drawing } from "../state/drawing";
 import { made, measure, measured } from "../state/mesh";
-import { number, words } from "../words";
+import { count as whole, words } from "../words";
 import { type Axis, along, goodness, valueAt } from "./axis";
 import { axis, counts, highlight, isColoured } from "./colours";
 import { Check, Choice } from "./fields";
@@ -64,7 +64,7 @@ function Shown() {
         say.histogramHint
       ) : (
         <>
-          {say.highlighted(number(count))}
+          {say.highlighted(whole(count))}
           <button
             type="button"
             onClick={() => {
@@ -117,7 +117,7 @@ function Bar({ along: scaleOf, of, bar, count, most }: BarProps) {
   const middle = valueAt(scaleOf, (bar + 0.5) / bars);
   const meant = highlight.value;
   const isMeant = meant !== null && meant !== "unmet" && meant.bar === bar;
-  const label = words.value.mesh.bar(written(of, ends[0]), written(of, ends[1]), number(count));
+  const label = words.value.mesh.bar(written(of, ends[0]), written(of, ends[1]), whole(count));
   const toggle = () => {
     reached.value = bar;
     highlight.value = isMeant ? null : { bar };

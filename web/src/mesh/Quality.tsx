@@ -2,7 +2,7 @@
 
 import type { MeshData } from "../engine/protocol";
 import { mesh } from "../state/mesh";
-import { number, words } from "../words";
+import { count, words } from "../words";
 import { Histogram } from "./Histogram";
 import { Unmet } from "./Unmet";
 import { degrees, duration, size } from "./writing";
@@ -50,14 +50,14 @@ function rowsOf({ quality, milliseconds, kind }: MeshData): Row[] {
   const span = (low: number | null, high: number | null, write: (value: number) => string): string =>
     low === null || high === null ? "–" : figures.span(write(low), write(high));
   const rows: Row[] = [
-    [figures.triangles, number(quality.triangles, 9)],
-    [figures.vertices, number(quality.vertices, 9)],
+    [figures.triangles, count(quality.triangles)],
+    [figures.vertices, count(quality.vertices)],
   ];
-  if (kind === "refine") rows.push([figures.steiner, number(quality.steiner, 9), true]);
-  rows.push([figures.edges, number(quality.edges, 9)]);
-  if (kind !== "triangulate") rows.push([figures.constrained, number(quality.constrainedEdges, 9), true]);
-  if (quality.crossingsSplit > 0) rows.push([figures.crossings, number(quality.crossingsSplit)]);
-  if (quality.duplicates > 0) rows.push([figures.duplicates, number(quality.duplicates)]);
+  if (kind === "refine") rows.push([figures.steiner, count(quality.steiner), true]);
+  rows.push([figures.edges, count(quality.edges)]);
+  if (kind !== "triangulate") rows.push([figures.constrained, count(quality.constrainedEdges), true]);
+  if (quality.crossingsSplit > 0) rows.push([figures.crossings, count(quality.crossingsSplit)]);
+  if (quality.duplicates > 0) rows.push([figures.duplicates, count(quality.duplicates)]);
   rows.push([figures.angles, span(quality.minAngle, quality.maxAngle, degrees)]);
   if (quality.meanMinAngle !== null) rows.push([figures.meanMinAngle, degrees(quality.meanMinAngle)]);
   rows.push(

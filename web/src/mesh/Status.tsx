@@ -5,7 +5,7 @@ import { useEffect } from "preact/hooks";
 import { mesher } from "../engine/client";
 import { type Job, jobOf } from "../state/job";
 import { isOther, isOutdated, mesh } from "../state/mesh";
-import { number, words } from "../words";
+import { count, number, words } from "../words";
 import { outcomeOf } from "./outcome";
 
 /** Milliseconds before progress is shown: what is quicker would only flicker. */
@@ -58,7 +58,7 @@ function Outcome() {
   return (
     <div role="status">
       <p class={`mesh-outcome ${tone}`}>
-        {typeof text === "string" ? text : text(number(triangles), say.short(unmet, number(unmet)))}
+        {typeof text === "string" ? text : text(count(triangles), say.short(unmet, count(unmet)))}
       </p>
       {(isOutdated.value || isOther.value) && (
         <p class="mesh-warning mesh-small">{isOutdated.value ? say.outdated : say.other}</p>

@@ -3,7 +3,7 @@
 import { AcrossIcon } from "../app/icons";
 import type { Corner, Explanation, Shortfall } from "../engine/protocol";
 import { mesh } from "../state/mesh";
-import { number, words } from "../words";
+import { count, words } from "../words";
 import { canAsk, chosen, close, corner, goAcross, told } from "./inspect";
 import { degrees, size } from "./writing";
 
@@ -17,7 +17,7 @@ export function Triangle() {
   return (
     <article aria-labelledby="mesh-triangle">
       <header class="mesh-card">
-        <h3 id="mesh-triangle">{say.triangle.heading(number(explanation.triangle, 9))}</h3>
+        <h3 id="mesh-triangle">{say.triangle.heading(count(explanation.triangle))}</h3>
         <button type="button" onClick={close}>
           {say.triangle.close}
         </button>
@@ -49,7 +49,7 @@ function Lack({ of }: { of: Shortfall }) {
       {" – "}
       {say.unmet.reasons[of.reason]}
       {of.angle !== null && of.corner !== null && (
-        <> ({say.triangle.inputAngle(degrees(of.angle), number(of.corner, 9))})</>
+        <> ({say.triangle.inputAngle(degrees(of.angle), count(of.corner))})</>
       )}
       . {of.excused ? say.triangle.excused : say.triangle.unexcused}
     </p>
@@ -69,11 +69,11 @@ function Corners({ of: { corners, angles, edges } }: { of: Explanation }) {
       </thead>
       <tbody>
         {corners.map((vertex, k) => {
-          const [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]].map((v) => number(v, 9));
+          const [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]].map((v) => count(v));
           return (
             <tr key={vertex}>
               <th scope="row" class="figure">
-                {number(vertex, 9)}
+                {count(vertex)}
               </th>
               <td class="figure">{degrees(angles[k])}</td>
               <td class="figure">
@@ -102,7 +102,7 @@ function Facts({ of: { area, region, radius, isDelaunay } }: { of: Explanation }
       <dt>{say.area}</dt>
       <dd class="figure">{size(area)}</dd>
       <dt>{say.region}</dt>
-      <dd class="figure">{region === null ? say.noRegion : number(region)}</dd>
+      <dd class="figure">{region === null ? say.noRegion : count(region)}</dd>
       <dt>{say.radius}</dt>
       <dd class="figure">{radius === null ? "–" : size(radius)}</dd>
       <dt>{say.circle}</dt>
@@ -121,13 +121,13 @@ function Origin({ of, k }: { of: Corner; k: number }) {
       type="button"
       class="mesh-origin"
       aria-pressed={isShown}
-      title={say.show(number(of.vertex, 9))}
+      title={say.show(count(of.vertex))}
       onClick={() => {
         corner.value = k;
       }}
     >
       <span>
-        <b class="figure">{number(of.vertex, 9)}</b> {placeOf(of)}
+        <b class="figure">{count(of.vertex)}</b> {placeOf(of)}
       </span>
       {isShown && <small>{cause ? whyOf(cause) : isAdded(of) ? say.unknown : ""}</small>}
     </button>
@@ -138,15 +138,15 @@ const isAdded = ({ origin }: Corner): boolean => origin === "onSegment" || origi
 
 function placeOf({ origin, segment, segments }: Corner): string {
   const say = words.value.mesh.triangle;
-  if (origin === "crossing" && segments) return say.crossing(number(segments[0]), number(segments[1]));
-  if (origin === "onSegment") return segment === null ? say.onHull : say.onSegment(number(segment));
+  if (origin === "crossing" && segments) return say.crossing(count(segments[0]), count(segments[1]));
+  if (origin === "onSegment") return segment === null ? say.onHull : say.onSegment(count(segment));
   return say.origins[origin];
 }
 
 function whyOf({ rule, by, step }: NonNullable<Corner["cause"]>): string {
   const say = words.value.mesh.triangle;
-  const tooClose = by === null ? "" : ` ${say.by(number(by, 9))}`;
-  return `${say.rules[rule]}${tooClose} ${say.step(number(step, 9))}`;
+  const tooClose = by === null ? "" : ` ${say.by(count(by))}`;
+  return `${say.rules[rule]}${tooClose} ${say.step(count(step))}`;
 }
 
 /** What the lines on the stage mean. */

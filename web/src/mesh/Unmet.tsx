@@ -5,7 +5,7 @@ import type { Explanation, Shortfall } from "../engine/protocol";
 import { lookAt } from "../stage/attention";
 import { boxOf } from "../stage/camera";
 import { askMesh, mesh } from "../state/mesh";
-import { number, words } from "../words";
+import { count as whole, words } from "../words";
 import { highlight } from "./colours";
 import { choose } from "./inspect";
 import { degrees } from "./writing";
@@ -54,7 +54,7 @@ function List({ count }: { count: number }) {
         >
           {say.show}
         </button>{" "}
-        {count > FIRST && <span class="quiet">{say.first(number(FIRST), number(count))}</span>}
+        {count > FIRST && <span class="quiet">{say.first(whole(FIRST), whole(count))}</span>}
       </p>
       <ul class="mesh-unmet">
         {listed.value.map(
@@ -74,7 +74,7 @@ function Entry({ of, unmet }: { of: Explanation; unmet: Shortfall }) {
   const say = words.value.mesh.unmet;
   return (
     <button type="button" class={unmet.excused ? "" : "bad"} onClick={() => show(of)}>
-      <span class="figure">{number(of.triangle)}</span>
+      <span class="figure">{whole(of.triangle)}</span>
       <span class="figure">{degrees(Math.min(...of.angles))}</span>
       <span>
         {unmet.broken

@@ -1,13 +1,15 @@
 // All algorithms on this drawing, in a table that can be sorted.
 
 import { useSignal } from "@preact/signals";
+import { copy } from "../app/clipboard";
 import { CheckIcon } from "../app/icons";
 import { titleOf } from "../play/described";
 import { compare, type Entry, entries, isComparing, libraryHash, MOST_POINTS } from "../state/compare";
 import { drawing } from "../state/drawing";
-import { notify, tell } from "../state/notices";
-import { count, number, words } from "../words";
+import { notify } from "../state/notices";
+import { count, words } from "../words";
 import { columnNames, columns, type Order, sorted, toCsv } from "./columns";
+import { milliseconds } from "./writing";
 
 export function Compare() {
   const say = words.value.race.compare;
@@ -24,7 +26,7 @@ export function Compare() {
           {rows.length > 0 ? say.again : say.run}
         </button>
         {rows.length > 0 && (
-          <button type="button" onClick={() => void copy(rows)}>
+          <button type="button" onClick={() => void take(rows)}>
             {say.copy}
           </button>
         )}
@@ -86,7 +88,7 @@ function Row({ of }: { of: Entry }) {
       </th>
       {columnNames.map((name) => {
         const value = columns[name](of);
-        const told = name === "milliseconds" ? (v: number) => number(v, 3) : count;
+        const told = name === "milliseconds" ? milliseconds : count;
         return (
           <td key={name} class="figure">
             {value === null ? "–" : told(value)}
@@ -97,11 +99,6 @@ function Row({ of }: { of: Entry }) {
   );
 }
 
-async function copy(rows: Entry[]): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(toCsv(rows));
-    notify("info", words.peek().race.compare.copied);
-  } catch (error) {
-    tell(error);
-  }
+async function take(rows: Entry[]): Promise<void> {
+  if (await copy(toCsv(rows))) notify("info", words.peek().race.compare.copied);
 }

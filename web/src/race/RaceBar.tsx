@@ -7,6 +7,7 @@ import "../play/transport.css";
 import { type Clock, clocks } from "../engine/protocol";
 import { amount, clock, duration, full, goTo, isRacing, lanes, setClock, toggleRace } from "../state/race";
 import { count, number, words } from "../words";
+import { milliseconds } from "./writing";
 
 /** The slider has so many places. */
 const PLACES = 1000;
@@ -34,7 +35,7 @@ bind("race", "ArrowLeft", "backward", () => nudge(-1));
 export function RaceBar() {
   const say = words.value.race;
   const isOff = lanes.value.length === 0;
-  const write = clock.value === "milliseconds" ? (ms: number) => number(ms, 3) : count;
+  const write = clock.value === "milliseconds" ? milliseconds : count;
   const told = say.amounts[clock.value](write(whole(amount.value)), write(whole(full.value)));
   return (
     <section class="transport" aria-label={say.bar}>

@@ -1,14 +1,15 @@
 // Several algorithms beside each other: who, how it ended, and all of them in a table.
 
-import { CheckIcon, RemoveIcon } from "../app/icons";
+import { CheckIcon, CloseIcon } from "../app/icons";
 import { AlgorithmList } from "../play/AlgorithmChoice";
 import { titleOf } from "../play/described";
 import "../play/play.css";
 import { algorithms } from "../state/play";
 import { clock, isFinished, lanes, racers } from "../state/race";
-import { count, number, words } from "../words";
+import { count, words } from "../words";
 import { Compare } from "./Compare";
 import { FEWEST, MOST, places, testsOf, usual, withRacer } from "./racing";
+import { milliseconds } from "./writing";
 import "./race.css";
 
 export function RacePanel() {
@@ -41,7 +42,7 @@ function Racers() {
           </select>
           {lane === FEWEST && (
             <button type="button" class="tool" aria-label={say.remove} title={say.remove} onClick={remove}>
-              <RemoveIcon />
+              <CloseIcon />
             </button>
           )}
         </div>
@@ -95,7 +96,7 @@ function Result() {
               <th scope="row">{titleOf(run.algorithm, run.title)}</th>
               <td class="figure">{count(testsOf(run.tally))}</td>
               <td class="figure">{count(run.tally.steps)}</td>
-              <td class="figure">{totals.milliseconds === null ? "–" : number(totals.milliseconds, 3)}</td>
+              <td class="figure">{totals.milliseconds === null ? "–" : milliseconds(totals.milliseconds)}</td>
             </tr>
           ))}
         </tbody>

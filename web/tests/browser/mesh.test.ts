@@ -215,6 +215,8 @@ test("a million triangles are made and moved about", async () => {
   await page.getByText("Points: 500,000,").waitFor();
   await page.keyboard.press("Enter");
   expect(await triangles(page)).toBeGreaterThan(990_000);
+  // Its angles matter to others, and not to this kind.
+  expect(await panel(page).getByText("Other options are chosen by now.").count()).toBe(0);
   const box = (await page.locator(".stage-view").boundingBox())!;
   await page.mouse.move(box.x + 300, box.y + 300);
   await page.mouse.down();
@@ -226,5 +228,17 @@ test("a million triangles are made and moved about", async () => {
   await page.mouse.up();
   console.log(`a million triangles: ${((performance.now() - since) / 5).toFixed(0)} ms a move`);
   await ask(page, 0.5, 0.5);
+  await page.getByRole("checkbox", { name: "Voronoi cells", exact: true }).check();
+  await page.getByRole("checkbox", { name: "Nearest vertex", exact: true }).check();
+  await page.mouse.move(box.x + 320, box.y + 320);
+  await page.waitForTimeout(2000);
+  const began = performance.now();
+  for (let k = 0; k < 5; k++) {
+    await page.mouse.move(box.x + 300 + 8 * k, box.y + 310);
+    await page.evaluate(() => new Promise((next) => requestAnimationFrame(next)));
+  }
+  console.log(
+    `with its cells and the nearest vertex: ${((performance.now() - began) / 5).toFixed(0)} ms a move`,
+  );
   expect(theatre.complaints).toEqual([]);
 });

@@ -160,6 +160,9 @@ test("in German, algorithms are described and steps are named in German", async 
   }
   await page.getByText("Vor dem ersten Schritt.").waitFor();
   await page.getByRole("button", { name: "Schritt", exact: true }).click();
-  await page.locator(".narration-note").filter({ hasText: /(Ecke|Kante|Dreieck) entsteht/ }).waitFor();
+  await page
+    .locator(".narration-note")
+    .filter({ hasText: /(Ecke|Kante|Dreieck) entsteht/ })
+    .waitFor();
   expect(theatre.complaints).toEqual([]);
 });
