@@ -12,10 +12,10 @@ const origins = new WeakMap<Source, string[]>();
 export const originOf = (source: Source): string[] | undefined => origins.get(source);
 
 /** Fetches files from beside the page and opens them; returns whether that went well. */
-export async function openFetched(names: string[]): Promise<boolean> {
+export async function openFetched(names: string[], mine: object): Promise<boolean> {
   try {
     const files = await Promise.all(names.map(fetchNamed));
-    return await openNamed(files, (source) => origins.set(source, names));
+    return await openNamed(files, mine, (source) => origins.set(source, names));
   } catch (error) {
     tell(error);
     return false;
