@@ -11,8 +11,8 @@ beforeAll(async () => {
 afterAll(() => theatre.close());
 
 /** Takes a preset so many milliseconds after it can be chosen. */
-const choosing = (delay: number) => (page: Page) =>
-  page.addInitScript((wait) => {
+const choosing = (delay: number) => async (page: Page) => {
+  await page.addInitScript((wait) => {
     new MutationObserver((_, observer) => {
       const option = document.querySelector<HTMLOptionElement>(".side option[value=thesis]");
       if (!option) return;
@@ -24,10 +24,11 @@ const choosing = (delay: number) => (page: Page) =>
       }, wait);
     }).observe(document, { childList: true, subtree: true });
   }, delay);
+};
 
 /** Drops a file as soon as the page listens. */
-const dropping = (name: string, content: string) => (page: Page) =>
-  page.addInitScript(
+const dropping = (name: string, content: string) => async (page: Page) => {
+  await page.addInitScript(
     ([of, text]) => {
       const tell = (kind: string) => {
         const data = new DataTransfer();
@@ -44,6 +45,7 @@ const dropping = (name: string, content: string) => (page: Page) =>
     },
     [name, content],
   );
+};
 
 const counts = (page: Page, text: string) => page.getByText(`Points: ${text}`).waitFor({ timeout: 8000 });
 
