@@ -58,7 +58,9 @@ function Outcome() {
   return (
     <div role="status">
       <p class={`mesh-outcome ${tone}`}>
-        {typeof text === "string" ? text : text(number(triangles), say.short(unmet, number(unmet)))}
+        {typeof text === "string"
+          ? text
+          : text(say.triangles(triangles, number(triangles)), say.short(unmet, number(unmet)))}
       </p>
       {(isOutdated.value || isOther.value) && (
         <p class="mesh-warning mesh-small">{isOutdated.value ? say.outdated : say.other}</p>

@@ -35,7 +35,7 @@ const counted = computed<MeshOptions>(() => {
 export const asked = computed<Asked>(() => ({
   recipe: recipe.value,
   kind: kind.value,
-  options: options.value,
+  options: counted.value,
 }));
 
 /** What the mesh was made of. */
