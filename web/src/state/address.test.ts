@@ -49,6 +49,11 @@ test.each([
   expect(address).toEqual({});
 });
 
+test("an address that was escaped once more on its way is read", () => {
+  const text = encode(whole);
+  expect(decode(encodeURIComponent(text))).toEqual(decode(text));
+});
+
 test("whatever is written behind #, it is read without failing, and what is understood stays", () => {
   let state = 1;
   const random = (below: number) => {

@@ -74,7 +74,9 @@ export function encode(address: Address): string {
 export function decode(text: string): { address: Address; broken: string[] } {
   const address: Address = {};
   const broken: string[] = [];
-  for (const part of text.split("&").filter((each) => each !== "")) {
+  // Mail and chat programs escape what they think they should.
+  const plain = text.includes("=") ? text : (unescaped(text) ?? text);
+  for (const part of plain.split("&").filter((each) => each !== "")) {
     const [, key = "", value = ""] = /^([^=]*)=?(.*)$/s.exec(part) ?? [];
     if (!take(address, key, value)) broken.push(part.slice(0, 40));
   }
