@@ -1,8 +1,8 @@
 // Opening files: chosen, dropped, pasted, or named in the address.
 
 import { stage } from "../engine/client";
-import type { Format, NamedBytes, Source } from "../engine/protocol";
-import { giveUp, open, wish } from "../state/drawing";
+import type { DrawingData, Format, NamedBytes, Source } from "../engine/protocol";
+import { drawing, giveUp, open, wish } from "../state/drawing";
 import { notify, tell } from "../state/notices";
 import { playLog } from "../state/play";
 import { words } from "../words";
@@ -50,13 +50,18 @@ export async function openNamed(
     if (kind === "log") return await playLog(main);
     const source: Source = { kind: "files", files };
     opened(source);
-    return await open(source, mine);
+    if (!(await open(source, mine))) return false;
+    if (isEmpty(drawing.peek()!)) notify("info", words.peek().files.nothing(main.name));
+    return true;
   } catch (error) {
     tell(error);
     await giveUp(mine);
     return false;
   }
 }
+
+const isEmpty = ({ points, holes, regions }: DrawingData): boolean =>
+  points.length + holes.length + regions.length === 0;
 
 /** Lists what can be opened, by extension. */
 export async function readable(): Promise<string> {
