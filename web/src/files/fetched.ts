@@ -28,6 +28,8 @@ async function fetchNamed(name: string): Promise<NamedBytes> {
   const url = new URL(path, new URL(".", location.href));
   if (url.origin !== location.origin) throw new Error(say.elsewhere(name));
   const answer = await fetch(url).catch(() => null);
-  if (!answer?.ok) throw new Error(say.missing(name));
+  // Some servers give a page for whatever they do not have.
+  const isPage = answer?.headers.get("content-type")?.startsWith("text/html");
+  if (!answer?.ok || isPage) throw new Error(say.missing(name));
   return { name: name.replace(/^.*\//, ""), bytes: new Uint8Array(await answer.arrayBuffer()) };
 }

@@ -41,6 +41,9 @@ test.each([
   "mesh.minAngle=",
   "mesh.minAngle=NaN",
   "mesh.conforming=yes",
+  "mesh.maxVertices=0.5",
+  "mesh.smoothing=-1",
+  "run.seed=1e300",
   "else.minAngle=3",
   "kind=toString",
 ])("%s is broken, and said to be", (text) => {
