@@ -72,7 +72,7 @@ test("the link is copied, and a drawing that is too large is offered to be saved
   await counts(page, 1500, 0, 0);
   await page.getByRole("button", { name: "Copy link" }).click();
   await page
-    .getByRole("status")
+    .locator(".notice")
     .filter({ hasText: "too large" })
     .getByRole("button", { name: "Save …" })
     .click();
