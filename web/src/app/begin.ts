@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { stage } from "../engine/client";
+import { wish } from "../state/drawing";
 import { beginLink } from "../state/link";
 import { tell } from "../state/notices";
 import { algorithms } from "../state/play";
@@ -19,13 +20,15 @@ export async function begin(): Promise<void> {
   });
   const lack = lacking();
   if (lack) return fail(lack);
+  // Before anybody can wish for something else.
+  const first = wish();
   try {
     algorithms.value = await stage.ask((engine) => engine.players.algorithms());
   } catch (error) {
     return fail("start", error);
   }
   try {
-    await beginLink();
+    await beginLink(first);
   } catch (error) {
     tell(error);
   }

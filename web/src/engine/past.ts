@@ -37,7 +37,8 @@ export class Past {
   /** Returns what has happened since the turn began that is under way at a position, oldest first. */
   turn(position: number): Happening[] {
     const found: Happening[] = [];
-    for (let at = position; at > 0 && found.length < LONG; at--) {
+    // The run may be another one by now, and shorter.
+    for (let at = Math.min(position, this.player.length); at > 0 && found.length < LONG; at--) {
       const happening = this.at(at);
       // The end of a stage ends what came before it.
       if (happening.kind === "stage-ended" && at < position) break;
@@ -68,7 +69,11 @@ export class Past {
   /** Finds at which positions things have come that are waited for; `open` says how many of each. */
   private pushes(position: number, open: Map<string, number>): Map<string, number[]> {
     const came = new Map<string, number[]>();
-    for (let at = position; at > 0 && at > position - FAR && open.size > 0; at--) {
+    for (
+      let at = Math.min(position, this.player.length);
+      at > 0 && at > position - FAR && open.size > 0;
+      at--
+    ) {
       const { kind, event } = this.at(at);
       if (kind !== "pushed") continue;
       const key = keyOf(event.queue as Queue, rowOf(event.item));

@@ -11,7 +11,7 @@ import { tell } from "../state/notices";
 import { run } from "../state/play";
 import { words } from "../words";
 import { ChoiceFields } from "./ChoiceFields";
-import { offered, type What, whats } from "./choices";
+import { type Offered, offered, type What, whats } from "./choices";
 import { Dialog } from "./Dialog";
 import { dialog, wanted } from "./dialogs";
 import { videoExtension } from "./record";
@@ -52,12 +52,15 @@ function SaveForm() {
       }, tell);
   }, [formats]);
   const content = drawing.value?.about ?? { segments: 0, holes: 0, regions: 0 };
-  const offers = offered(what.value, formats.value, content, videoExtension());
-  const offer = offers.find((each) => each.extension === extension.value) ?? offers[0];
+  const offersNow = () => offered(what.value, formats.value, content, videoExtension());
+  const offerOf = (all: Offered[]) => all.find((each) => each.extension === extension.value) ?? all[0];
+  const offers = offersNow();
+  const offer = offerOf(offers);
   const submit = async (event: Event) => {
     event.preventDefault();
     dialog.value = null;
-    await save(what.value, offer, chosen.value);
+    // What is chosen by now, though it may not have been drawn yet.
+    await save(what.value, offerOf(offersNow()), chosen.value);
   };
   return (
     <form onSubmit={submit}>

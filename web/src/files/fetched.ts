@@ -12,10 +12,10 @@ const origins = new WeakMap<Source, string[]>();
 export const originOf = (source: Source): string[] | undefined => origins.get(source);
 
 /** Fetches files from beside the page and opens them; returns whether that went well. */
-export async function openFetched(names: string[]): Promise<boolean> {
+export async function openFetched(names: string[], mine: object): Promise<boolean> {
   try {
     const files = await Promise.all(names.map(fetchNamed));
-    return await openNamed(files, (source) => origins.set(source, names));
+    return await openNamed(files, mine, (source) => origins.set(source, names));
   } catch (error) {
     tell(error);
     return false;
@@ -28,6 +28,8 @@ async function fetchNamed(name: string): Promise<NamedBytes> {
   const url = new URL(path, new URL(".", location.href));
   if (url.origin !== location.origin) throw new Error(say.elsewhere(name));
   const answer = await fetch(url).catch(() => null);
-  if (!answer?.ok) throw new Error(say.missing(name));
+  // Some servers give a page for whatever they do not have.
+  const isPage = answer?.headers.get("content-type")?.startsWith("text/html");
+  if (!answer?.ok || isPage) throw new Error(say.missing(name));
   return { name: name.replace(/^.*\//, ""), bytes: new Uint8Array(await answer.arrayBuffer()) };
 }

@@ -1,8 +1,8 @@
 // Opening files: chosen, dropped, pasted, or named in the address.
 
 import { stage } from "../engine/client";
-import type { Format, NamedBytes, Source } from "../engine/protocol";
-import { open } from "../state/drawing";
+import type { DrawingData, Format, NamedBytes, Source } from "../engine/protocol";
+import { drawing, giveUp, open, wish } from "../state/drawing";
 import { notify, tell } from "../state/notices";
 import { playLog } from "../state/play";
 import { words } from "../words";
@@ -16,12 +16,14 @@ const HEAD = 1 << 16;
 export async function openFiles(list: Iterable<File>): Promise<boolean> {
   const files = [...list];
   if (files.length === 0) return false;
+  const mine = wish();
   try {
     const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
-    return await openNamed(await Promise.all(files.map(read)));
+    return await openNamed(await Promise.all(files.map(read)), mine);
   } catch {
     const names = files.map(({ name }) => name).join(", ");
     notify("error", words.peek().files.unreadable(names));
+    await giveUp(mine);
     return false;
   }
 }
@@ -34,6 +36,7 @@ export function openText(text: string): Promise<boolean> {
 /** Opens files: a log is played, all else is drawn. Returns whether that went well; what is wrong is shown. */
 export async function openNamed(
   all: NamedBytes[],
+  mine = wish(),
   opened: (source: Source) => void = () => {},
 ): Promise<boolean> {
   const { files, left } = arrange(all);
@@ -47,12 +50,18 @@ export async function openNamed(
     if (kind === "log") return await playLog(main);
     const source: Source = { kind: "files", files };
     opened(source);
-    return await open(source);
+    if (!(await open(source, mine))) return false;
+    if (isEmpty(drawing.peek()!)) notify("info", words.peek().files.nothing(main.name));
+    return true;
   } catch (error) {
     tell(error);
+    await giveUp(mine);
     return false;
   }
 }
+
+const isEmpty = ({ points, holes, regions }: DrawingData): boolean =>
+  points.length + holes.length + regions.length === 0;
 
 /** Lists what can be opened, by extension. */
 export async function readable(): Promise<string> {

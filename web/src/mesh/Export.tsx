@@ -1,7 +1,7 @@
 // How to take the mesh along: files, its hash, and the command that gives the same.
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { copy } from "../app/clipboard";
 import { SaveIcon } from "../app/icons";
 import { stage } from "../engine/client";
@@ -9,7 +9,7 @@ import type { Preset } from "../engine/protocol";
 import { openSave } from "../files/dialogs";
 import { drawing } from "../state/drawing";
 import { asked, mesh } from "../state/mesh";
-import { tell } from "../state/notices";
+import { notify, tell } from "../state/notices";
 import { words } from "../words";
 import { commandOf } from "./command";
 
@@ -86,13 +86,19 @@ function Command() {
 function Copyable({ text, hint }: { text: string; hint: string }) {
   const say = words.value.mesh.export;
   const copied = useSignal("");
+  const code = useRef<HTMLElement>(null);
   const take = async () => {
-    if (await copy(text)) copied.value = text;
+    if (await copy(text, select)) copied.value = text;
+  };
+  // Where the browser does not let it into the clipboard, Ctrl+C does.
+  const select = () => {
+    getSelection()?.selectAllChildren(code.current!);
+    notify("info", say.notCopied);
   };
   return (
     <div class="mesh-copy">
       <pre>
-        <code>{text}</code>
+        <code ref={code}>{text}</code>
       </pre>
       <button type="button" onClick={() => void take()}>
         {say.copy}

@@ -58,7 +58,9 @@ function Outcome() {
   return (
     <div role="status">
       <p class={`mesh-outcome ${tone}`}>
-        {typeof text === "string" ? text : text(count(triangles), say.short(unmet, count(unmet)))}
+        {typeof text === "string"
+          ? text
+          : text(say.triangles(triangles, count(triangles)), say.short(unmet, count(unmet)))}
       </p>
       {(isOutdated.value || isOther.value) && (
         <p class="mesh-warning mesh-small">{isOutdated.value ? say.outdated : say.other}</p>

@@ -14,5 +14,6 @@ test("what came of it has a name and a tone", () => {
     tone: "bad",
   });
   expect(of({ outcome: null })).toEqual({ name: "made", tone: "good" });
+  expect(of({ outcome: null, constrainedEdges: 4 })).toEqual({ name: "constrained", tone: "good" });
   expect(of({ triangles: 0 })).toEqual({ name: "none", tone: "bad" });
 });

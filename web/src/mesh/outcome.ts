@@ -10,9 +10,9 @@ export interface Outcome {
 }
 
 export function outcomeOf({ quality }: Pick<MeshData, "quality">): Outcome {
-  const { outcome, triangles, unmet, unexcused } = quality;
+  const { outcome, triangles, constrainedEdges, unmet, unexcused } = quality;
   if (triangles === 0) return { name: "none", tone: "bad" };
-  if (outcome === null) return { name: "made", tone: "good" };
+  if (outcome === null) return { name: constrainedEdges > 0 ? "constrained" : "made", tone: "good" };
   const tone = unmet === 0 ? "good" : unexcused === 0 ? "fair" : "bad";
   if (outcome === "budgetExhausted" || outcome === "precisionLimit" || outcome === "fellBack") {
     return { name: outcome, tone };

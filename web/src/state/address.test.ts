@@ -41,12 +41,20 @@ test.each([
   "mesh.minAngle=",
   "mesh.minAngle=NaN",
   "mesh.conforming=yes",
+  "mesh.maxVertices=0.5",
+  "mesh.smoothing=-1",
+  "run.seed=1e300",
   "else.minAngle=3",
   "kind=toString",
 ])("%s is broken, and said to be", (text) => {
   const { address, broken } = decode(text);
   expect(broken).toHaveLength(1);
   expect(address).toEqual({});
+});
+
+test("an address that was escaped once more on its way is read", () => {
+  const text = encode(whole);
+  expect(decode(encodeURIComponent(text))).toEqual(decode(text));
 });
 
 test("whatever is written behind #, it is read without failing, and what is understood stays", () => {

@@ -19,16 +19,17 @@ export interface Address {
   see?: string[];
 }
 
-type Kind = "number" | "boolean" | readonly string[];
+/** A count is whole and not negative. */
+type Kind = "number" | "count" | "boolean" | readonly string[];
 
 const rules = ["hull", "carve", "evenodd"] as const;
 const kinds: readonly MeshKind[] = ["triangulate", "constrain", "refine"];
 
 const runOptions: Record<keyof RunOptions, Kind> = {
-  seed: "number",
+  seed: "count",
   minAngle: "number",
   maxEdge: "number",
-  dataPerTriangle: "number",
+  dataPerTriangle: "count",
   domain: rules,
 };
 
@@ -39,8 +40,8 @@ const meshOptions: Record<keyof MeshOptions, Kind> = {
   maxEdge: "number",
   maxArea: "number",
   regionAreas: "boolean",
-  maxVertices: "number",
-  smoothing: "number",
+  maxVertices: "count",
+  smoothing: "count",
   conforming: "boolean",
   thesis: "boolean",
 };
@@ -74,7 +75,9 @@ export function encode(address: Address): string {
 export function decode(text: string): { address: Address; broken: string[] } {
   const address: Address = {};
   const broken: string[] = [];
-  for (const part of text.split("&").filter((each) => each !== "")) {
+  // Mail and chat programs escape what they think they should.
+  const plain = text.includes("=") ? text : (unescaped(text) ?? text);
+  for (const part of plain.split("&").filter((each) => each !== "")) {
     const [, key = "", value = ""] = /^([^=]*)=?(.*)$/s.exec(part) ?? [];
     if (!take(address, key, value)) broken.push(part.slice(0, 40));
   }
@@ -102,7 +105,6 @@ function take(address: Address, key: string, raw: string): boolean {
 
 function takeSimple(address: Address, key: string, value: string): boolean {
   const number = Number(value);
-  const isCount = Number.isInteger(number) && number >= 0 && number <= 0xffffffff;
   const preset = () => {
     address.preset ??= { name: "", count: 40, seed: 1 };
     return address.preset;
@@ -116,13 +118,13 @@ function takeSimple(address: Address, key: string, value: string): boolean {
       preset().name = value;
       return true;
     case "n":
-      if (isCount) preset().count = number;
-      return isCount;
+      if (isCount(number)) preset().count = number;
+      return isCount(number);
     case "seed":
-      if (isCount) preset().seed = number;
-      return isCount;
+      if (isCount(number)) preset().seed = number;
+      return isCount(number);
     case "at":
-      return set(address, "position", isCount ? number : undefined);
+      return set(address, "position", isCount(number) ? number : undefined);
     case "drawing":
     case "algorithm":
       return set(address, key, value);
@@ -143,10 +145,13 @@ function takeOption(address: Address, room: string, option: string, raw: string)
 
 function read(kind: Kind, text: string): string | number | boolean | undefined {
   if (kind === "boolean") return text === "true" ? true : text === "false" ? false : undefined;
-  if (kind !== "number") return oneOf(kind, text);
+  if (kind !== "number" && kind !== "count") return oneOf(kind, text);
   const number = Number(text);
-  return text.trim() !== "" && Number.isFinite(number) ? number : undefined;
+  if (text.trim() === "") return undefined;
+  return (kind === "count" ? isCount(number) : Number.isFinite(number)) ? number : undefined;
 }
+
+const isCount = (value: number) => Number.isInteger(value) && value >= 0 && value <= 0xffffffff;
 
 const oneOf = <T extends string>(all: readonly T[], text: string): T | undefined =>
   all.find((each) => each === text);

@@ -40,28 +40,58 @@ export function inTurn<T>(next: () => Promise<T>): Promise<T> {
   return mine;
 }
 
-/** Makes the drawing of a recipe and shows it; returns whether that went well. */
-export async function show(next: Recipe): Promise<boolean> {
-  const before = drawing.peek() ? [...past.peek(), recipe.peek()] : [];
-  return put(next, before, []);
+// What is about to be replaced is not changed any more: that would end the worker that makes the other one.
+const changing = (next: () => Promise<boolean>): Promise<boolean> =>
+  inTurn(async () => opening === 0 && drawing.peek() !== null && next());
+
+/** Somebody's wish to see another drawing. Only the last one counts, however long it takes until it can be fulfilled. */
+type Wish = object;
+let last: Wish = {};
+
+/** Wishes for another drawing, which is still to be read, unpacked or fetched. */
+export function wish(): Wish {
+  last = {};
+  return last;
+}
+
+/** Ends a wish that came to nothing: where nothing is shown yet the usual drawing is. */
+export async function giveUp(mine: Wish): Promise<void> {
+  if (mine === last && !drawing.peek()) await put({ source: usualSource, edits: [] }, [], []);
+}
+
+/** How many drawings are being opened; all but the last one have been cancelled. */
+let opening = 0;
+
+/** Makes the drawing of a recipe and shows it, unless somebody wishes for another one; returns whether that went well. */
+export async function show(next: Recipe, mine: Wish = wish()): Promise<boolean> {
+  if (mine !== last) return false;
+  opening += 1;
+  try {
+    const before = drawing.peek() ? [...past.peek(), recipe.peek()] : [];
+    if (await put(next, before, [])) return true;
+    await giveUp(mine);
+    return false;
+  } finally {
+    opening -= 1;
+  }
 }
 
 /** Begins with something else. */
-export const open = (source: Source): Promise<boolean> => show({ source, edits: [] });
+export const open = (source: Source, mine?: Wish): Promise<boolean> => show({ source, edits: [] }, mine);
 
 /** Begins with nothing. */
 export const openEmpty = (): Promise<boolean> =>
   open({ kind: "lists", points: new Float64Array(), segments: new Uint32Array(), holes: new Float64Array() });
 
 /** Changes the drawing; all of the edits are made, or none. */
-export const edit = (...edits: Edit[]): Promise<boolean> => inTurn(() => change(edits, false));
+export const edit = (...edits: Edit[]): Promise<boolean> => changing(() => change(edits, false));
 
 /** Changes the drawing by an edit that takes the place of the last one: another position of what is dragged. */
-export const amend = (edit: Edit): Promise<boolean> => inTurn(() => change([edit], true));
+export const amend = (edit: Edit): Promise<boolean> => changing(() => change([edit], true));
 
 /** Takes the last change back. */
 export const undo = (): Promise<boolean> =>
-  inTurn(async () => {
+  changing(async () => {
     const [states, now] = [past.peek(), recipe.peek()];
     const last = states.at(-1);
     return last !== undefined && put(last, states.slice(0, -1), [now, ...future.peek()]);
@@ -69,7 +99,7 @@ export const undo = (): Promise<boolean> =>
 
 /** Makes a change again that was taken back. */
 export const redo = (): Promise<boolean> =>
-  inTurn(async () => {
+  changing(async () => {
     const [next, ...rest] = future.peek();
     return next !== undefined && put(next, [...past.peek(), recipe.peek()], rest);
   });

@@ -6,7 +6,7 @@ import { openFetched, originOf } from "../files/fetched";
 import { all, type SeeName, switched } from "../see/overlays";
 import { words } from "../words";
 import { type Address, decode, encode } from "./address";
-import { drawing, open, recipe, show, usualSource } from "./drawing";
+import { drawing, giveUp, open, recipe, show, usualSource, wish } from "./drawing";
 import { kind, options as meshOptions } from "./mesh";
 import { mode } from "./mode";
 import { notify } from "./notices";
@@ -22,9 +22,9 @@ export const isLinkable = signal(true);
 /** What was written last, to know whether somebody else has changed the address. */
 let written = "";
 
-/** Shows what the address tells, and keeps it true from then on. */
-export async function beginLink(): Promise<void> {
-  await restore(location.hash.slice(1));
+/** Shows what the address tells, its drawing if nobody wishes for another one, and keeps it true from then on. */
+export async function beginLink(first: object): Promise<void> {
+  await restore(location.hash.slice(1), first);
   addEventListener("hashchange", () => {
     const hash = location.hash.slice(1);
     if (hash !== written) void restore(hash);
@@ -38,7 +38,7 @@ export async function linkNow(): Promise<string | null> {
   return isLinkable.peek() ? location.href : null;
 }
 
-async function restore(hash: string): Promise<void> {
+async function restore(hash: string, mine: object = wish()): Promise<void> {
   const { address, broken } = decode(hash);
   const names = algorithms.peek().map(({ name }) => name);
   if (address.algorithm !== undefined && !names.includes(address.algorithm)) {
@@ -53,9 +53,10 @@ async function restore(hash: string): Promise<void> {
     if (address.algorithm) chosen.value = address.algorithm;
     if (address.run) runOptions.value = address.run;
   });
-  if (!(await openOf(address, broken)) && !drawing.peek()) await open(usualSource);
+  const isOpen = await openOf(address, broken, mine);
+  if (!isOpen) await giveUp(mine);
   if (broken.length > 0) notify("info", words.peek().files.linkBroken(broken.join(", ")));
-  goTo(address.position ?? 0);
+  if (isOpen) goTo(address.position ?? 0);
 }
 
 /** Returns the overlays of these names. */
@@ -66,12 +67,16 @@ function seen(names: string[], broken: string[]): ReadonlySet<SeeName> {
 }
 
 /** Opens the drawing of an address, the usual one if it names none. */
-async function openOf({ open: names, preset, drawing: packed }: Address, broken: string[]): Promise<boolean> {
-  if (names) return openFetched(names);
-  if (!packed) return open(preset ? { kind: "preset", ...preset } : usualSource);
+async function openOf(
+  { open: names, preset, drawing: packed }: Address,
+  broken: string[],
+  mine: object,
+): Promise<boolean> {
+  if (names) return openFetched(names, mine);
+  if (!packed) return open(preset ? { kind: "preset", ...preset } : usualSource, mine);
   const unpacked = await unpack(packed).catch(() => null);
   if (!unpacked) broken.push("drawing");
-  return unpacked !== null && show(unpacked);
+  return unpacked !== null && show(unpacked, mine);
 }
 
 /** Goes to a position once the run is there. */

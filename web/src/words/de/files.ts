@@ -10,6 +10,7 @@ export const files: Words["files"] = {
   dropHere: "Dateien hier ablegen, um sie zu öffnen",
   unreadable: (names) => `${names}: für den Browser nicht lesbar; ein Ordner, oder inzwischen geändert?`,
   empty: (name) => `${name}: die Datei ist leer`,
+  nothing: (name) => `${name} ist geöffnet: Punkte sind keine darin`,
   unknown: (name, list) => `${name}: von keiner Art, die hier gelesen wird. Lesbar sind: ${list}`,
   leftOut: (name, others) => `${name} ist geöffnet. Nicht Teil davon und beiseite gelassen: ${others}`,
   elsewhere: (name) => `${name}: eine Adresse kann nur Dateien neben dieser Seite öffnen`,

@@ -83,17 +83,17 @@ export const mesh: Words["mesh"] = {
   outdated: "Die Zeichnung hat sich seither geändert.",
   other: "Inzwischen sind andere Vorgaben gewählt.",
   short: (count, written) => ["alle wie verlangt", "1 genügt nicht"][count] ?? `${written} genügen nicht`,
+  triangles: (count, written) => (count === 1 ? "1 Dreieck" : `${written} Dreiecke`),
   outcomes: {
-    made: (triangles) => `${triangles} Dreiecke, exakt Delaunay.`,
-    complete: (triangles) => `${triangles} Dreiecke, alle wie verlangt.`,
-    excused: (triangles, short) => `${triangles} Dreiecke; ${short}, weil die Eingabe nicht mehr zulässt.`,
-    unexcused: (triangles, short) => `${triangles} Dreiecke; ${short} dem, was verlangt war.`,
-    budgetExhausted: (triangles, short) =>
-      `Die Höchstzahl der Punkte ist erreicht: ${triangles} Dreiecke, ${short}.`,
-    precisionLimit: (triangles, short) =>
-      `Die Zahlen sind zu grob für mehr: ${triangles} Dreiecke, ${short}.`,
+    made: (triangles) => `${triangles}, exakt Delaunay.`,
+    constrained: (triangles) => `${triangles}, exakt Delaunay bis auf das, was die Strecken verbieten.`,
+    complete: (triangles) => `${triangles}, alle wie verlangt.`,
+    excused: (triangles, short) => `${triangles}; ${short}, weil die Eingabe nicht mehr zulässt.`,
+    unexcused: (triangles, short) => `${triangles}; ${short} dem, was verlangt war.`,
+    budgetExhausted: (triangles, short) => `Die Höchstzahl der Punkte ist erreicht: ${triangles}, ${short}.`,
+    precisionLimit: (triangles, short) => `Die Zahlen sind zu grob für mehr: ${triangles}, ${short}.`,
     fellBack: (triangles, short) =>
-      `Das Verfahren der Diplomarbeit gab auf, das übliche machte weiter: ${triangles} Dreiecke, ${short}.`,
+      `Das Verfahren der Diplomarbeit gab auf, das übliche machte weiter: ${triangles}, ${short}.`,
     none: "Es gibt keine Dreiecke: Alle Punkte liegen auf einer Geraden, oder nichts ist umschlossen.",
   },
   figures: {
@@ -209,6 +209,7 @@ export const mesh: Words["mesh"] = {
     hashHint: "Der Name dieser Menge von Dreiecken, auf jeder Maschine derselbe.",
     copy: "Kopieren",
     copied: "Kopiert.",
+    notCopied: "Der Browser ließ es nicht in die Zwischenablage. Es ist markiert: Strg+C kopiert es.",
     command: "Dasselbe auf der Kommandozeile",
     commandSave: (file) => `Dazu die Zeichnung als ${file} speichern.`,
     noCommand: "Das Programm behält Strecken immer bei: Für die Punkte allein gibt es keinen Befehl.",

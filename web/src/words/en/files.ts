@@ -9,6 +9,7 @@ export const files = {
   unreadable: (names: string) =>
     `${names}: the browser cannot read this; is it a folder, or has it been changed?`,
   empty: (name: string) => `${name}: the file is empty`,
+  nothing: (name: string) => `${name} is opened: there are no points in it`,
   unknown: (name: string, list: string) =>
     `${name}: of no kind that can be read here. Files that can: ${list}`,
   leftOut: (name: string, others: string) => `${name} is opened. Not part of it, and left aside: ${others}`,

@@ -82,19 +82,20 @@ export const mesh = {
   other: "Other options are chosen by now.",
   short: (count: number, written: string) =>
     ["all as asked for", "1 falls short"][count] ?? `${written} fall short`,
+  /** A number of triangles, counted and written. */
+  triangles: (count: number, written: string) => (count === 1 ? "1 triangle" : `${written} triangles`),
   outcomes: {
-    made: (triangles: string) => `${triangles} triangles, exactly Delaunay.`,
-    complete: (triangles: string) => `${triangles} triangles, all as asked for.`,
-    excused: (triangles: string, short: string) =>
-      `${triangles} triangles; ${short} where the input leaves no choice.`,
-    unexcused: (triangles: string, short: string) =>
-      `${triangles} triangles; ${short} of what was asked for.`,
+    made: (triangles: string) => `${triangles}, exactly Delaunay.`,
+    constrained: (triangles: string) => `${triangles}, exactly Delaunay but for what the segments forbid.`,
+    complete: (triangles: string) => `${triangles}, all as asked for.`,
+    excused: (triangles: string, short: string) => `${triangles}; ${short} where the input leaves no choice.`,
+    unexcused: (triangles: string, short: string) => `${triangles}; ${short} of what was asked for.`,
     budgetExhausted: (triangles: string, short: string) =>
-      `The limit of vertices was reached: ${triangles} triangles, ${short}.`,
+      `The limit of vertices was reached: ${triangles}, ${short}.`,
     precisionLimit: (triangles: string, short: string) =>
-      `Numbers are too coarse for more: ${triangles} triangles, ${short}.`,
+      `Numbers are too coarse for more: ${triangles}, ${short}.`,
     fellBack: (triangles: string, short: string) =>
-      `The strategy of the thesis gave up, the usual one went on: ${triangles} triangles, ${short}.`,
+      `The strategy of the thesis gave up, the usual one went on: ${triangles}, ${short}.`,
     none: "There are no triangles: all points lie on a line, or nothing is enclosed.",
   },
   figures: {
@@ -209,6 +210,7 @@ export const mesh = {
     hashHint: "The name of this set of triangles, the same on every machine.",
     copy: "Copy",
     copied: "Copied.",
+    notCopied: "The browser did not let it into the clipboard. It is selected: Ctrl+C copies it.",
     command: "The same on the command line",
     commandSave: (file: string) => `Save the drawing as ${file} first.`,
     noCommand: "The program always keeps segments: there is no command for the points alone.",
