@@ -109,6 +109,25 @@ export class Pen {
     this.paint(look);
   }
 
+  /** Draws a lying cross; `size` is half of its width. */
+  cross(x: number, y: number, { size, ...look }: Look & { size: number }): void {
+    const [px, py] = this.at(x, y);
+    this.open(
+      [
+        [px - size, py - size],
+        [px + size, py + size],
+      ],
+      look,
+    );
+    this.open(
+      [
+        [px - size, py + size],
+        [px + size, py - size],
+      ],
+      look,
+    );
+  }
+
   label(x: number, y: number, text: string, colour: string): void {
     const [px, py] = this.at(x, y);
     if (Math.max(Math.abs(px), Math.abs(py)) > FAR) return;
