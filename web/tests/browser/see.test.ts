@@ -162,8 +162,8 @@ test("a mesh has overlays too", async () => {
   const page = await bare();
   await page.getByLabel("Preset").selectOption("gear");
   await page.getByRole("button", { name: "Mesh", exact: true }).first().click();
-  await page.locator(".work button").last().click();
-  await page.locator(".work dl").waitFor();
+  await page.getByRole("button", { name: "Mesh it" }).click();
+  await page.locator(".mesh-outcome").waitFor();
   for (const name of ["Dual (Voronoi)", "Diametral circles"]) await draws(page, name);
   await page.screenshot({ path: "test-results/see-mesh.png" });
   expect(theatre.complaints).toEqual([]);
