@@ -5,7 +5,10 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     projects: [
-      { extends: "./vite.config.ts", test: { name: "unit", include: ["{src,guide}/**/*.test.ts"] } },
+      {
+        extends: "./vite.config.ts",
+        test: { name: "unit", include: ["{src,guide,tests/module}/**/*.test.ts"] },
+      },
       {
         test: {
           name: "browser",

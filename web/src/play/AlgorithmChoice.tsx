@@ -1,10 +1,18 @@
 // Which algorithm is run, what there is to say of it, and what it wants to know.
 
+import { computed } from "@preact/signals";
 import type { Algorithm } from "../engine/protocol";
+import { drawing } from "../state/drawing";
 import { algorithm, algorithms, chosen } from "../state/play";
 import { words } from "../words";
 import { AlgorithmOptions } from "./AlgorithmOptions";
 import { described, titleOf } from "./described";
+
+/** Whether the drawing has more than the algorithm looks at. */
+const isLeftAside = computed(() => {
+  const [takes, about] = [algorithm.value?.takes, drawing.value?.about];
+  return (takes === "points" || takes === "data") && about !== undefined && about.segments + about.holes > 0;
+});
 
 export function AlgorithmChoice() {
   const say = words.value.play;
@@ -21,6 +29,7 @@ export function AlgorithmChoice() {
       >
         <AlgorithmList />
       </select>
+      {isLeftAside.value && <p class="quiet aside">{say.leftAside}</p>}
       {algorithm.value && <About of={algorithm.value} />}
       <AlgorithmOptions />
     </section>

@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from "preact/hooks";
 import { onLine, toggleLine } from "../state/breakpoints";
-import { frame, shownRun } from "../state/play";
+import { algorithm, frame, shownRun } from "../state/play";
 import { words } from "../words";
 
 /** Lines that are kept in sight above and below the one that runs. */
@@ -11,7 +11,7 @@ const AROUND = 30;
 export function Code() {
   const pane = useRef<HTMLOListElement>(null);
   const running = frame.value?.step?.line ?? 0;
-  const lines = shownRun.value?.code ?? [];
+  const lines = shownRun.value?.code ?? algorithm.value?.code ?? [];
   const say = words.value.play;
   useEffect(() => {
     if (pane.current) keepInSight(pane.current, running);

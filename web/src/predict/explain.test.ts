@@ -5,7 +5,7 @@ import { explain } from "./explain";
 
 const answer = { edge: [3, 7], apexes: [1, 9] } as Reason["quad"];
 const guess = { edge: [0, 4], apexes: [5, 6] } as Reason["quad"];
-const puzzle = { answer, before: "Before." } as Puzzle;
+const puzzle = { answer, isByCircle: true, before: "Vertex 3 lies to the left." } as Puzzle;
 const told = (because: Partial<Reason>, instead: Partial<Reason> | null): Answered =>
   ({
     guess,
@@ -20,7 +20,13 @@ test("the reason is the exact sign of the test", () => {
     "Edge 3–7 is flipped to 1–9: vertex 9 lies inside the circle through 3–7 and 1, so the edge is not locally Delaunay.",
   );
   expect(explain(told({ side: "on", counts: "inside" }, null), puzzle, say)).toContain("exactly on");
-  expect(explain(told({ side: "outside", counts: "outside" }, null), puzzle, say)).toContain("Before.");
+});
+
+test("where a sweep closes a dent, no circle is the reason, inside or not", () => {
+  const dent = { ...puzzle, isByCircle: false };
+  const said = explain({ ...told({}, null), because: null }, dent, say);
+  expect(said).toContain("is flipped to 1–9. Vertex 3 lies to the left.");
+  expect(said).not.toContain("locally Delaunay");
 });
 
 test("a wrong guess is told why its edge stays", () => {

@@ -8,15 +8,15 @@ import { keyOf } from "./edges";
 export function explain(told: Answered, of: Puzzle, say: Words["predict"]): string {
   const { answer } = of;
   let text = say.flipped(keyOf(answer.edge), keyOf(answer.apexes));
-  text += told.because ? reasonToFlip(told.because, of, say) : ".";
+  if (!of.isByCircle) return text + say.decided(of.before);
+  text += told.because ? reasonToFlip(told.because, say) : ".";
   if (told.instead && told.verdict === "wrong") text += ` ${reasonToStay(told.instead, say)}`;
   return text;
 }
 
-function reasonToFlip(reason: Reason, of: Puzzle, say: Words["predict"]): string {
+function reasonToFlip(reason: Reason, say: Words["predict"]): string {
   const [c, d] = reason.quad.apexes;
   const edge = keyOf(reason.quad.edge);
-  if (reason.counts === "outside") return say.other(of.before);
   return reason.side === "on" ? say.onInside(edge, d, c) : say.inside(edge, d, c);
 }
 

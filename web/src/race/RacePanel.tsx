@@ -1,6 +1,7 @@
 // Several algorithms beside each other: who, how it ended, and all of them in a table.
 
 import { CheckIcon, CloseIcon } from "../app/icons";
+import type { Run } from "../engine/protocol";
 import { AlgorithmList } from "../play/AlgorithmChoice";
 import { titleOf } from "../play/described";
 import "../play/play.css";
@@ -8,7 +9,7 @@ import { algorithms } from "../state/play";
 import { clock, isFinished, lanes, racers } from "../state/race";
 import { count, words } from "../words";
 import { Compare } from "./Compare";
-import { FEWEST, MOST, places, testsOf, usual, withRacer } from "./racing";
+import { agreement, FEWEST, MOST, places, testsOf, usual, withRacer } from "./racing";
 import { milliseconds } from "./writing";
 import "./race.css";
 
@@ -56,6 +57,8 @@ function Racers() {
   );
 }
 
+const names = (runs: Run[]): string => runs.map((run) => titleOf(run.algorithm, run.title)).join("; ");
+
 function remove(): void {
   racers.value = racers.value.slice(0, FEWEST);
 }
@@ -74,7 +77,10 @@ function Result() {
     all.map(({ totals }) => totals),
     clock.value,
   );
-  const isSame = all.every(({ run }) => run.hash === all[0].run.hash);
+  const { agree, byDesign } = agreement(
+    all.map(({ run }) => run),
+    algorithms.value,
+  );
   const ranked = all.map((lane, i) => ({ ...lane, place: order[i] })).sort((a, b) => a.place - b.place);
   return (
     <section aria-labelledby="result-heading" class="race-result" data-done={isFinished.value}>
@@ -102,8 +108,9 @@ function Result() {
         </tbody>
       </table>
       {all.length > 0 && (
-        <p class={isSame ? "same" : "quiet"}>
-          {isSame && <CheckIcon />} {isSame ? say.same : say.different}
+        <p class={agree ? "same" : "quiet"}>
+          {agree && <CheckIcon />} {agree ? say.same : byDesign.length > 0 ? say.byDesign : say.different}
+          {!agree && byDesign.length > 0 && ` ${names(byDesign)}.`}
         </p>
       )}
     </section>

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { advance, fullTime, places, type Totals, withRacer } from "./racing";
+import { advance, agreement, fullTime, places, type Totals, withRacer } from "./racing";
 
 const totals = (steps: number, predicates: number, milliseconds: number | null): Totals => ({
   steps,
@@ -33,4 +33,17 @@ test("nobody races against itself", () => {
   expect(withRacer(["a", "b", "c"], 0, "d")).toEqual(["d", "b", "c"]);
   expect(withRacer(["a", "b", "c"], 0, "c")).toEqual(["c", "b", "a"]);
   expect(withRacer(["a", "b", "c"], 1, "b")).toEqual(["a", "b", "c"]);
+});
+
+test("who differs by design is named, but only if all others agree", () => {
+  const all = [
+    { name: "flip-list", delaunay: true, takes: "triangulation" },
+    { name: "fortune", delaunay: true, takes: "points" },
+    { name: "printed-sweep", delaunay: false, takes: "domain" },
+  ] as const;
+  const run = (algorithm: string, hash: string) => ({ algorithm, hash });
+  const [list, fortune, printed] = [run("flip-list", "a"), run("fortune", "a"), run("printed-sweep", "b")];
+  expect(agreement([list, fortune], [...all])).toEqual({ agree: true, byDesign: [] });
+  expect(agreement([list, fortune, printed], [...all])).toEqual({ agree: false, byDesign: [printed] });
+  expect(agreement([list, run("fortune", "c"), printed], [...all])).toEqual({ agree: false, byDesign: [] });
 });

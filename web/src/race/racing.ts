@@ -1,6 +1,6 @@
 // The rules of a race: how the clock runs, and who was first.
 
-import type { Clock, Tally } from "../engine/protocol";
+import type { Algorithm, Clock, Run, Tally } from "../engine/protocol";
 
 /** What a run needs from its beginning to its end, in each unit; null: nobody knows. */
 export type Totals = Record<Clock, number | null>;
@@ -19,6 +19,22 @@ export function advance(amount: number, full: number, seconds: number, duration:
 export function places(all: Totals[], clock: Clock): number[] {
   const need = all.map((totals) => totals[clock] ?? Number.POSITIVE_INFINITY);
   return need.map((mine) => 1 + need.filter((other) => other < mine).length);
+}
+
+/**
+ * Tells whether all have come to the same triangles; and if not, but those agree who make the Delaunay triangulation
+ * of the points, who of them is not meant to.
+ */
+export function agreement<R extends Pick<Run, "algorithm" | "hash">>(
+  runs: R[],
+  algorithms: Pick<Algorithm, "name" | "delaunay" | "takes">[],
+): { agree: boolean; byDesign: R[] } {
+  const areSame = (some: R[]) => some.every(({ hash }) => hash === some[0].hash);
+  if (areSame(runs)) return { agree: true, byDesign: [] };
+  // Domains are refined, or carved: that is another set of triangles, too.
+  const isMeant = ({ algorithm }: R) =>
+    algorithms.some(({ name, delaunay, takes }) => name === algorithm && delaunay && takes !== "domain");
+  return { agree: false, byDesign: areSame(runs.filter(isMeant)) ? runs.filter((run) => !isMeant(run)) : [] };
 }
 
 /** Counts all tests that predicates have decided. */

@@ -30,8 +30,8 @@ const shapes: Record<Swatch, ComponentChildren> = {
   dot: (
     <>
       <circle cx="4.5" cy="7.5" r="3" class="sample-good" />
-      <circle cx="12" cy="7.5" r="3" class="sample-bad" />
-      <circle cx="19.5" cy="7.5" r="3" class="sample-asked" />
+      <path d="m9.25 4.75 5.5 5.5m0-5.5-5.5 5.5" class="sample-bad" stroke-width="2" stroke-linecap="round" />
+      <circle cx="19.5" cy="7.5" r="2.75" class="sample-asked" stroke-width="2" />
     </>
   ),
   arrow: (

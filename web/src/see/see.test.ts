@@ -11,7 +11,7 @@ import { encroachments } from "./encroachments";
 import { byHolder } from "./holding";
 import { Links, OUTSIDE } from "./links";
 import { isSame } from "./same";
-import { isPath, stopsOf } from "./stops";
+import { isPath, stopsOf, walkOf } from "./stops";
 import { crowding, inhabitants, settle, surelyIllegal } from "./verdicts";
 import { fromFirst, type Waiter, waitersOf } from "./waiters";
 
@@ -35,6 +35,19 @@ test("a walk goes on where triangles have a common edge", () => {
     ].map((edge) => happened("walk-stepped", { edge })),
   );
   expect(edges.map(({ isLinked }) => isLinked)).toEqual([false, true, false]);
+});
+
+test("a walk is over once something is made of what it has found", () => {
+  const walk = [happened("point-considered", {}), happened("walk-stepped", { edge: [0, 1] })];
+  expect(walkOf(walk)).toEqual(walk.slice(1));
+  // What is found, or tested, does not end it.
+  expect(walkOf([...walk, happened("orientation-tested", {}), happened("point-located", {})])).toHaveLength(
+    1,
+  );
+  expect(walkOf([...walk, happened("triangle-deleted", {})])).toEqual([]);
+  // It may go on after that: along a segment it does.
+  const on = happened("walk-stepped", { edge: [1, 2] });
+  expect(walkOf([...walk, happened("edge-deleted", {}), on])).toHaveLength(2);
 });
 
 test("the last circle test holds until something else is looked at", () => {

@@ -9,6 +9,24 @@ export interface Stop {
   isLinked: boolean;
 }
 
+const steps = new Set(["walk-stepped", "triangle-visited"]);
+
+/** With these something is made of what the walk has found: it is over, and would only hide what comes. */
+const works = new Set([
+  "edge-created",
+  "edge-deleted",
+  "triangle-created",
+  "triangle-deleted",
+  "vertex-created",
+  "edge-flipped",
+]);
+
+/** Returns the steps of the walk that is under way, or has just come to its end; none if it is over. */
+export function walkOf(happenings: readonly Happening[]): Happening[] {
+  const last = happenings.findLast(({ kind }) => steps.has(kind) || works.has(kind));
+  return last && steps.has(last.kind) ? happenings.filter(({ kind }) => steps.has(kind)) : [];
+}
+
 /** Takes the stops of the walk out of what has happened. */
 export function stopsOf(happenings: readonly Happening[]): Stop[] {
   const stops: Stop[] = [];

@@ -21,10 +21,13 @@ export function waitersOf(
 ): Waiter[] {
   return queues.flatMap((queue) => {
     const items = waiting[queue] ?? new Uint32Array();
+    const row = next?.queue === queue ? next.row : null;
     const waiters = Array.from({ length: items.length / 3 }, (_, i): Waiter => {
-      const row = Array.from(items.subarray(3 * i, 3 * i + 3));
-      const isNext = next?.queue === queue && row.every((v, k) => v === next.row[k]);
-      return { queue, vertices: row.filter((v) => v !== NONE), rank: ranks[queue]?.[i] ?? 0, isNext };
+      // Spelt out: there may be many thousands, at every frame.
+      const [a, b, c] = [items[3 * i], items[3 * i + 1], items[3 * i + 2]];
+      const vertices = b === NONE ? [a] : c === NONE ? [a, b] : [a, b, c];
+      const isNext = row !== null && a === row[0] && b === row[1] && c === row[2];
+      return { queue, vertices, rank: ranks[queue]?.[i] ?? 0, isNext };
     });
     return waiters.toSorted((a, b) => (a.rank || Number.MAX_VALUE) - (b.rank || Number.MAX_VALUE));
   });

@@ -3,7 +3,7 @@
 import { computed } from "@preact/signals";
 import { stage } from "../engine/client";
 import { pale } from "../stage/palette";
-import type { Pen } from "../stage/pen";
+import type { Look, Pen } from "../stage/pen";
 import { middleOf, placeOf } from "../stage/places";
 import type { Overlay } from "../stage/Stage";
 import { frame, SLOT } from "../state/play";
@@ -34,7 +34,9 @@ export const waiting: Overlay = (pen) => {
   if (!shown || all.length === 0) return;
   // A carpet of them is paler, so that the scene is seen below it.
   const much = strength(pen, all.length, 120);
-  for (const waiter of all) outline(pen, shown.points, waiter, much);
+  const edges = all.filter((waiter) => isPlain(waiter)).flatMap(({ vertices }) => vertices);
+  pen.edges(shown.points, edges, edgeLook(pen, false, much));
+  for (const waiter of all) if (!isPlain(waiter)) outline(pen, shown.points, waiter, much);
   const labels = new Labels();
   for (const { rank, isNext, vertices } of all.toSorted((a, b) => Number(b.isNext) - Number(a.isNext))) {
     const [x, y] = pen.at(...middleOf(shown.points, vertices));
@@ -43,13 +45,23 @@ export const waiting: Overlay = (pen) => {
   }
 };
 
+/** An edge like all the others: of these there may be many thousands. */
+const isPlain = ({ vertices, isNext }: Waiter): boolean => vertices.length === 2 && !isNext;
+
+const edgeLook = ({ palette }: Pen, isNext: boolean, much: number): Look => ({
+  stroke: pale(palette.asked, strengthOf(isNext, much)),
+  width: isNext ? 6 : 3.5 + 2.5 * much,
+});
+
+const strengthOf = (isNext: boolean, much: number): number => (isNext ? 0.85 : 0.25 + 0.2 * much);
+
 function outline(pen: Pen, points: Float64Array, { queue, vertices, isNext }: Waiter, much: number): void {
   const colour = pen.palette.asked;
-  const share = isNext ? 0.85 : 0.25 + 0.2 * much;
+  const share = strengthOf(isNext, much);
   if (vertices.length === 1) {
     pen.dot(...placeOf(points, vertices[0]), { stroke: pale(colour, share), width: 3, size: 7 });
   } else if (vertices.length === 2) {
-    pen.polygon(points, vertices, { stroke: pale(colour, share), width: isNext ? 6 : 3.5 + 2.5 * much });
+    pen.polygon(points, vertices, edgeLook(pen, isNext, much));
   } else if (queue === "events") {
     // Three arcs that meet when the sweep has come to the end of their circle.
     const round = circumcircle(points, vertices);

@@ -7,15 +7,13 @@ import type { Overlay } from "../stage/Stage";
 import { frame } from "../state/play";
 import { fillHead, headOf, type Pixel } from "./arrows";
 import { Labels } from "./looks";
-import { isPath, type Stop, stopsOf } from "./stops";
+import { isPath, type Stop, stopsOf, walkOf } from "./stops";
 import { turn } from "./turn";
-
-const kinds = new Set(["walk-stepped", "triangle-visited"]);
 
 /** Draws what has been visited, and the way. */
 export const walk: Overlay = (pen) => {
   const points = frame.value?.points;
-  const stops = stopsOf(turn.value.filter(({ kind }) => kinds.has(kind)));
+  const stops = stopsOf(walkOf(turn.value));
   if (!points || stops.length === 0) return;
   const colour = pen.palette.sweep;
   for (const { vertices } of stops) {

@@ -21,6 +21,9 @@ const FAR = 2 ** 15;
 /** How far around the view things are still drawn, in pixels: more than any line is wide. */
 const AROUND = 64;
 
+/** So many edges are drawn in one stroke: canvases are slow with long paths as they are with many short ones. */
+const STROKE = 128;
+
 export class Pen {
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -63,6 +66,19 @@ export class Pen {
     else this.open(spots, look);
   }
 
+  /** Draws edges, two vertices each: thousands of them in a few strokes. Where they overlap they are no darker. */
+  edges(points: Coordinates, pairs: ArrayLike<number>, look: Look): void {
+    for (let from = 0; from < pairs.length; from += 2 * STROKE) {
+      this.context.beginPath();
+      const end = Math.min(pairs.length, from + 2 * STROKE);
+      for (let k = from; k < end; k += 2) {
+        const [a, b] = [2 * pairs[k], 2 * pairs[k + 1]];
+        this.pieces([this.at(points[a], points[a + 1]), this.at(points[b], points[b + 1])]);
+      }
+      this.paint(look);
+    }
+  }
+
   /** Draws a line through places. */
   path(places: readonly (readonly [number, number])[], look: Look): void {
     this.open(
@@ -100,6 +116,25 @@ export class Pen {
     this.context.beginPath();
     this.context.arc(px, py, look.size, 0, 2 * Math.PI);
     this.paint(look);
+  }
+
+  /** Draws a lying cross; `size` is half of its width. */
+  cross(x: number, y: number, { size, ...look }: Look & { size: number }): void {
+    const [px, py] = this.at(x, y);
+    this.open(
+      [
+        [px - size, py - size],
+        [px + size, py + size],
+      ],
+      look,
+    );
+    this.open(
+      [
+        [px - size, py + size],
+        [px + size, py - size],
+      ],
+      look,
+    );
   }
 
   label(x: number, y: number, text: string, colour: string): void {

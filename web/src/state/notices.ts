@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { Cancelled } from "../engine/client";
 import type { Marks } from "../engine/protocol";
 import { marksOf } from "../engine/troubles";
+import { inWords } from "../words/errors";
 
 export interface Notice {
   id: number;
@@ -50,5 +51,5 @@ export function dismissMarks(): void {
 /** Shows why something failed; that it was cancelled is no failure. */
 export function tell(error: unknown): void {
   if (error instanceof Cancelled) return;
-  notify("error", error instanceof Error ? error.message : String(error), { marks: marksOf(error) });
+  notify("error", inWords(error instanceof Error ? error.message : String(error)), { marks: marksOf(error) });
 }

@@ -23,7 +23,9 @@ export interface Puzzle {
   illegal: ReadonlySet<string>;
   /** The edges of the easy game. */
   offered: Quad[];
-  /** What the run has said just before the flip. */
+  /** Whether a circle is the reason; sweeps flip for others. */
+  isByCircle: boolean;
+  /** What the run has said of the test that has decided. */
   before: string;
 }
 
@@ -95,10 +97,11 @@ async function make(from: number): Promise<Puzzle | null> {
   const before = await askRun(({ players }, slot) => players.find(slot, "previous", "change", flip));
   const at = before ?? 0;
   const said = language.peek();
-  const [scene, step, last, { illegal: rows }] = await Promise.all([
+  const tested = await askRun(({ players }, slot) => players.find(slot, "previous", "test", flip));
+  const [scene, step, test, { illegal: rows }] = await Promise.all([
     askRun(({ players }, slot) => players.frame(slot, at, said)),
     askRun(({ players }, slot) => players.tell(slot, flip, said)),
-    askRun(({ players }, slot) => players.tell(slot, flip - 1, said)),
+    askRun(({ players }, slot) => players.tell(slot, tested ?? 0, said)),
     askRun(({ looks }, slot) => looks.edges(slot, at)),
   ]);
   const all = innerEdges(scene);
@@ -106,8 +109,10 @@ async function make(from: number): Promise<Puzzle | null> {
   const answer = all.find(({ edge }) => flipped && keyOf(edge) === keyOf(flipped));
   // Some flips are no puzzle: nobody could have clicked on the edge.
   if (!answer) return make(flip);
+  const isByCircle = isTestOf(answer, test.step?.event);
   const illegal = new Set<string>();
-  for (let i = 0; i < rows.length; i += 4) illegal.add(keyOf([rows[i], rows[i + 1]]));
+  // Where circles decide nothing, no edge has to go for them.
+  for (let i = 0; i < rows.length && isByCircle; i += 4) illegal.add(keyOf([rows[i], rows[i + 1]]));
   const offered = offer(all, answer, illegal, flip);
   return {
     position: at,
@@ -117,13 +122,24 @@ async function make(from: number): Promise<Puzzle | null> {
     answer,
     illegal,
     offered,
-    before: last.narration,
+    isByCircle,
+    before: test.narration,
   };
 }
 
 function flippedBy(event: unknown): [number, number] | null {
   const flip = event as { "edge-flipped"?: { from: [number, number] } } | undefined;
   return flip?.["edge-flipped"]?.from ?? null;
+}
+
+/** Tells whether a step has tested the circle of an edge. */
+function isTestOf({ edge, apexes }: Quad, event: unknown): boolean {
+  const test = (event as { "circle-tested"?: { triangle: number[]; point: number } } | undefined)?.[
+    "circle-tested"
+  ];
+  return (
+    test !== undefined && [...edge, ...apexes].every((v) => v === test.point || test.triangle.includes(v))
+  );
 }
 
 /** Says which edge it will be. */
@@ -135,6 +151,7 @@ export async function guess(quad: Quad): Promise<void> {
     answered.value = { guess: quad, verdict, because: null, instead: null };
     score.value = scored(score.peek(), verdict, isHinted.peek());
   });
+  if (!of.isByCircle) return;
   try {
     const because = await reason(of, of.answer);
     const instead = verdict === "right" ? null : await reason(of, quad);

@@ -59,6 +59,18 @@ test("exactly one of the three is right", async () => {
   expect(theatre.complaints).toEqual([]);
 });
 
+test("a sweep flips for dents: the reason is its own test, and no edge must go for its circle", async () => {
+  const page = await open("sweep");
+  for (let round = 0; round < 3; round++) {
+    await page.getByText(question).waitFor();
+    await page.keyboard.press("1");
+    await page.getByText("Here that decides, not the circle.").waitFor();
+    expect(await page.locator(".predict-message").textContent()).not.toMatch(/locally Delaunay|must go/);
+    await page.keyboard.press("Enter");
+  }
+  expect(theatre.complaints).toEqual([]);
+});
+
 test("any edge may be guessed, with the arrow keys or on the stage", async () => {
   const page = await open("greedy-flips");
   await page.getByRole("radio", { name: "any edge" }).check();

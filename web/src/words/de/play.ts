@@ -70,6 +70,11 @@ export const play: Words["play"] = {
   code: "Pseudocode",
   codeHint: "Ein Klick auf eine Zeile setzt dort einen Haltepunkt.",
   lineBreak: (line) => `Haltepunkt auf Zeile ${line}`,
+  noRun: "Es gibt keinen Lauf. Eine andere Zeichnung oder ein anderer Algorithmus hilft.",
+  nothing: "Hier ist nichts zu tun: Es sind zu wenige Punkte da.",
+  tooLong: (steps) =>
+    `Dieser Lauf bräuchte mehr als ${steps} Schritte. Weniger Punkte helfen, oder ein Algorithmus mit weniger Schritten.`,
+  leftAside: "Strecken und Löcher der Zeichnung bleiben beiseite: Dieser Algorithmus nimmt nur Punkte.",
   begin: "Vor dem ersten Schritt.",
   end: "Das war der letzte Schritt.",
   breakpoints: {

@@ -36,7 +36,7 @@ export const predict: Words["predict"] = {
     `: Ecke ${v} liegt im Kreis durch ${edge} und ${c}, also ist die Kante nicht lokal Delaunay.`,
   onInside: (edge, v, c) =>
     `: Ecke ${v} liegt genau auf dem Kreis durch ${edge} und ${c}; der Gleichstand zählt als innen.`,
-  other: (before) => `, obwohl ihr Kreis leer ist: ${before}`,
+  decided: (test) => `. ${test} Das entscheidet hier, nicht der Kreis.`,
   stays: (edge, v, c) =>
     `Kante ${edge} ist lokal Delaunay: Ecke ${v} liegt außerhalb des Kreises durch sie und ${c}.`,
   staysOn: (edge, v, c) =>

@@ -37,6 +37,8 @@ export const race: Words["race"] = {
   place: "Platz",
   algorithm: "Algorithmus",
   same: "Alle haben dieselbe Triangulierung gebaut.",
+  byDesign:
+    "Nicht dieselbe Triangulierung, mit Absicht: Nicht alle bauen die Delaunay-Triangulierung der Punkte. Andere:",
   different: "Sie haben nicht dieselbe Triangulierung gebaut.",
   compare: {
     heading: "Alle Algorithmen",

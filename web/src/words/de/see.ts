@@ -33,10 +33,10 @@ export const see: Words["see"] = {
   },
   about: {
     marks:
-      "Worum es im Schritt geht: Grünes kommt oder darf bleiben, Rotes geht oder muss gehen, Gelbes wird betrachtet.",
+      "Worum es im Schritt geht: Grünes kommt oder darf bleiben, Rotes (gestrichelt, Kreuze) geht oder muss gehen, Gelbes (Ringe) wird betrachtet.",
     circle:
       "Der letzte Umkreistest: Liegt der vierte Punkt innen? Die Antwort ist exakt. Liegt er auf dem Kreis, gilt der am weitesten rechts liegende der vier als etwas angehoben, und das entscheidet.",
-    walk: "Die Dreiecke und Kanten, die seit Beginn dieser Runde besucht wurden, in ihrer Reihenfolge.",
+    walk: "Die Dreiecke und Kanten, die seit Beginn dieser Runde besucht wurden, in ihrer Reihenfolge, bis aus dem Fund etwas gemacht wird.",
     waiting:
       "Was darauf wartet, betrachtet zu werden, nummeriert in der Reihenfolge der Ankunft. Was zuerst an die Reihe kommt, ist kräftiger gezeichnet.",
     front: "Der Rand dessen, was ein Sweep fertiggestellt hat; bei Fortunes Algorithmus die Uferlinie.",

@@ -71,6 +71,11 @@ export const play = {
   code: "Pseudocode",
   codeHint: "A click on a line stops playing there.",
   lineBreak: (line: number) => `Breakpoint on line ${line}`,
+  noRun: "There is no run. Change the drawing, or choose another algorithm.",
+  nothing: "There is nothing to do: draw more points.",
+  tooLong: (steps: string) =>
+    `This run would take more than ${steps} steps. Take fewer points, or an algorithm that needs fewer steps.`,
+  leftAside: "The segments and holes of the drawing are left aside: this algorithm takes points alone.",
   begin: "Before the first step.",
   end: "This was the last step.",
   breakpoints: {

@@ -34,7 +34,7 @@ export const predict = {
     `: vertex ${v} lies inside the circle through ${edge} and ${c}, so the edge is not locally Delaunay.`,
   onInside: (edge: string, v: number, c: number) =>
     `: vertex ${v} lies exactly on the circle through ${edge} and ${c}; the tie-break counts it as inside.`,
-  other: (before: string) => `, though its circle is empty: ${before}`,
+  decided: (test: string) => `. ${test} Here that decides, not the circle.`,
   stays: (edge: string, v: number, c: number) =>
     `Edge ${edge} is locally Delaunay: vertex ${v} lies outside the circle through it and ${c}.`,
   staysOn: (edge: string, v: number, c: number) =>

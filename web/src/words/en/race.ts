@@ -34,6 +34,8 @@ export const race = {
   place: "Place",
   algorithm: "Algorithm",
   same: "All have made the same triangulation.",
+  byDesign:
+    "Not the same triangulation, by design: not every one makes the Delaunay triangulation of the points. Others:",
   different: "They have not made the same triangulation.",
   compare: {
     heading: "All algorithms",

@@ -25,10 +25,11 @@ export const see = {
     triangle: "Triangle",
   },
   about: {
-    marks: "What the step is about: green comes or may stay, red goes or must, amber is looked at.",
+    marks:
+      "What the step is about: green comes or may stay, red (broken, crosses) goes or must, amber (rings) is looked at.",
     circle:
       "The last test of a circle: does the fourth point lie inside? The answer is exact. If it lies on the circle, the rightmost of the four counts as lifted a little, which decides.",
-    walk: "The triangles and edges visited since this turn began, in their order.",
+    walk: "The triangles and edges visited since this turn began, in their order, until something is made of what was found.",
     waiting:
       "What waits to be looked at, numbered in the order in which it came. What goes first is drawn stronger.",
     front: "The boundary of what a sweep has finished; for Fortune's algorithm the beach line.",
