@@ -27,6 +27,8 @@ export type Engine = Later<Worked>;
 
 interface Living {
   engine: Engine;
+  /** Fulfilled when the worker has the module, and what the worker before had. */
+  ready: Promise<void>;
   /** Never fulfilled; rejected when the worker ends. */
   end: Promise<never>;
   kill(): void;
@@ -46,7 +48,7 @@ async function compile(): Promise<WebAssembly.Module> {
 
 /** A worker that may be ended and comes back. */
 export class Client {
-  private living: Promise<Living> | undefined;
+  private living: Living | undefined;
   private readonly restores: ((engine: Engine) => Promise<void>)[] = [];
 
   /** Says how a new worker gets what the one before had; done, in order, before anything else is asked of it. */
@@ -56,30 +58,30 @@ export class Client {
 
   /** Asks something of the worker. Rejected with `Cancelled` when somebody calls `cancel` meanwhile. */
   async ask<T>(question: (engine: Engine) => Promise<T>): Promise<T> {
-    const starting = this.living ?? this.start();
-    this.living = starting;
-    // What could not be started is tried anew by the next question.
-    starting.catch(() => {
-      if (this.living === starting) this.living = undefined;
-    });
-    const { engine, end } = await starting;
+    const living = this.living ?? this.start();
+    this.living = living;
+    const { engine, ready, end } = living;
+    await Promise.race([ready, end]);
     try {
       return await Promise.race([question(engine), end]);
     } catch (error) {
       // A trap leaves the module in no state to go on with.
-      if (error instanceof Error && error.name === "RuntimeError") this.cancel();
+      if (error instanceof Error && error.name === "RuntimeError") this.drop(living);
       throw error;
     }
   }
 
-  /** Ends whatever the worker is doing, at once. The next question starts another worker. */
+  /** Ends whatever the worker is doing, at once, be it its beginning. The next question starts another worker. */
   cancel(): void {
-    const ending = this.living;
-    this.living = undefined;
-    ending?.then(({ kill }) => kill()).catch(() => {});
+    if (this.living) this.drop(this.living);
   }
 
-  private async start(): Promise<Living> {
+  private drop(living: Living): void {
+    if (this.living === living) this.living = undefined;
+    living.kill();
+  }
+
+  private start(): Living {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     // Comlink does rooms of functions, but its types do not.
     const engine = wrap(worker) as unknown as Engine;
@@ -91,13 +93,20 @@ export class Client {
       };
     });
     end.catch(() => {});
+    const living = { engine, ready: this.furnish(worker, engine), end, kill };
+    // What could not be started is tried anew by the next question.
+    living.ready.catch(() => this.drop(living));
+    return living;
+  }
+
+  private async furnish(worker: Worker, engine: Engine): Promise<void> {
     // A worker that cannot be loaded says so here and answers nothing.
     const broken = new Promise<never>((_, reject) => {
       worker.addEventListener("error", ({ message }) => reject(new Error(message || "worker")));
     });
+    broken.catch(() => {});
     await Promise.race([module.then((compiled) => engine.start(compiled)), broken]);
     for (const restore of this.restores) await restore(engine);
-    return { engine, end, kill };
   }
 }
 
