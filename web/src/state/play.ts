@@ -6,7 +6,7 @@ import type { Algorithm, Direction, Frame, NamedBytes, Run, RunOptions, Source }
 import { active, forgetLines, type Stopped, stopped } from "./breakpoints";
 import { drawing, open, recipe } from "./drawing";
 import { follow } from "./follow";
-import { isDrawing, work } from "./job";
+import { isDrawing, jobOf, work } from "./job";
 import { type Mode, mode } from "./mode";
 import { tell } from "./notices";
 import { language } from "./settings";
@@ -128,8 +128,20 @@ export function seek(to: number): void {
   position.value = Math.max(0, Math.min(Math.round(to), length));
 }
 
+/** Waits for the run that is being made: a key that is pressed meanwhile is meant for it. */
+async function there(): Promise<void> {
+  let stop = () => {};
+  await new Promise<void>((done) => {
+    stop = effect(() => {
+      if (run.value || !jobOf(stage).value) done();
+    });
+  });
+  stop();
+}
+
 /** Goes to the next, or the previous, position behind a step of this kind; to the end, or the beginning, if there is none. */
 export async function jump(direction: Direction, kind: string): Promise<void> {
+  await there();
   const [from, end] = [position.value, direction === "next" ? (run.value?.length ?? 0) : 0];
   const found = await stage.ask((engine) => engine.players.find(SLOT, direction, kind, from)).catch(tell);
   seek(found ?? end);
@@ -149,6 +161,7 @@ export async function nextStop(direction: Direction, from: number): Promise<Stop
 /** Goes to the next, or the previous, breakpoint; to the end, or the beginning, if there is none. */
 export async function jumpToStop(direction: Direction): Promise<void> {
   isPlaying.value = false;
+  await there();
   try {
     const found = await nextStop(direction, position.peek());
     stopped.value = found;
