@@ -15,8 +15,6 @@ export default defineConfig({
           include: ["tests/browser/**/*.test.ts"],
           // One browser at a time: two cores, and figures of time that mean something.
           fileParallelism: false,
-          // A busy machine may press a key before the page's first run has come; what is wrong fails each time.
-          retry: 2,
           testTimeout: 60_000,
           hookTimeout: 60_000,
         },

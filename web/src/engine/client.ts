@@ -4,6 +4,7 @@
 
 import { proxy, wrap } from "comlink";
 import wasm from "../wasm/delone_bg.wasm?url";
+import { GONE } from "./gone";
 import type { Progress } from "./protocol";
 import type { Worked } from "./worker";
 
@@ -67,6 +68,7 @@ export class Client {
     } catch (error) {
       // A trap leaves the module in no state to go on with.
       if (error instanceof Error && error.name === "RuntimeError") this.drop(living);
+      if (error instanceof Error && error.message === GONE) throw new Cancelled();
       throw error;
     }
   }

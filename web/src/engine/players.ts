@@ -4,6 +4,7 @@ import { transfer } from "comlink";
 import { Mesh, Player } from "../wasm/delone.js";
 import { drawing } from "./drawings";
 import { takeFiles } from "./files";
+import { GONE } from "./gone";
 import { countMoments } from "./moments";
 import {
   type Algorithm,
@@ -136,7 +137,7 @@ export const players = {
 /** Returns the run in a slot. */
 export function at(slot: number): Player {
   const player = slots.get(slot);
-  if (!player) throw new Error("bug: no run is here");
+  if (!player) throw new Error(GONE);
   return player;
 }
 

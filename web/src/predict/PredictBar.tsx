@@ -1,6 +1,6 @@
 // What is below the stage in the game: the question, the answers to choose from, and the verdict.
 
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { bind } from "../app/shortcuts";
 import { run } from "../state/play";
 import {
@@ -24,8 +24,9 @@ export function PredictBar() {
   const say = words.value.predict;
   const bar = useRef<HTMLElement>(null);
   const isTold = answered.value !== null;
-  // Whoever answers by keyboard goes on there: the button that was pressed is gone.
-  useEffect(() => {
+  // Whoever answers by keyboard goes on there: the button that was pressed is gone. At once with the verdict: Enter
+  // pressed on seeing it must not go to what had the focus before.
+  useLayoutEffect(() => {
     const wasLost = document.activeElement === document.body;
     if (isTold) bar.current?.querySelector<HTMLElement>(".main")?.focus({ preventScroll: true });
     else if (wasLost) bar.current?.focus({ preventScroll: true });

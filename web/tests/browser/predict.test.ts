@@ -77,6 +77,25 @@ test("a sweep flips for dents: the reason is its own test, and no edge must go f
   expect(theatre.complaints).toEqual([]);
 });
 
+test("whoever presses Enter on seeing the verdict is asked the next question", async () => {
+  const page = await open("sweep");
+  await page.getByText(question).waitFor();
+  // Sooner than any eye: as soon as the verdict is part of the page.
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      if (!document.querySelector(".verdict")) return;
+      observer.disconnect();
+      (document.activeElement as HTMLElement).click();
+    });
+    observer.observe(document.body, { childList: true, subtree: true });
+  });
+  await page.keyboard.press("1");
+  await expect.poll(() => points(page)).toEqual([expect.any(Number), 1]);
+  await page.getByText(question).waitFor();
+  expect(await verdict(page).count()).toBe(0);
+  expect(theatre.complaints).toEqual([]);
+});
+
 test("any edge may be guessed, with the arrow keys or on the stage", async () => {
   const page = await open("greedy-flips");
   await page.getByRole("radio", { name: "any edge" }).check();
