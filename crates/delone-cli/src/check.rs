@@ -2,11 +2,13 @@
 //! alone.
 
 mod bounds;
+mod certified;
 mod drawing;
 mod presence;
 mod report;
 mod shortfall;
 
+use crate::batch;
 use crate::domain::Rule;
 use crate::exit::Failure;
 use crate::files::{self, Reading};
@@ -30,6 +32,8 @@ Examples:
   delone check fine.ele --domain map.poly --min-angle 25 --max-edge 0.1
                                              a mesh that was refined: is it as good as asked?
   delone check fine.ele --domain map.poly --sizing 'distance:segments,at=0.01,growth=0.2'
+  delone check fine.ele --domain map.poly --certificate fine.certificate.json
+                                             does the certificate hold, byte by byte and proof by proof?
   delone check a.ele b.vtu --json            one JSON object a line
   delone check mesh.ele && echo trustworthy  the exit code tells: 0 right, 1 wrong";
 
@@ -47,6 +51,7 @@ The JSON object of --json:
                    precision), encroached, encroached_unexcused (subsegments, for --conforming),
                    steiner_on_locked (vertices that --keep-boundary forbids), worst (the first few
                    of each in words)
+  certificate      null without --certificate; else its file, holds, and disagreements in words
   defects          their total, and the first few of each kind in words
   quality          angles in degrees, lengths in units of the coordinates (rounded numbers)
   seconds          wall time of the phases read and check
@@ -74,7 +79,7 @@ The JSON object of --json:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
 pub struct Check {
-    /// Meshes: .ele (with the .node beside it), .npy (with .points.npy), .vtu, or `-`
+    /// Meshes: .ele (with the .node beside it), .npy (with .points.npy), .vtu, .msh …, or `-`
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Also require that the vertices are the points of this file, in any order
@@ -86,6 +91,15 @@ pub struct Check {
     /// Which triangles should be there [default: as for `triangulate`]
     #[arg(long, value_enum, value_name = "RULE", requires = "domain")]
     rule: Option<Rule>,
+    /// Also require that all a certificate says holds for this mesh, this domain and the files that it names,
+    /// which lie beside the mesh or the certificate; bounds and rule are those of the certificate
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "domain",
+        conflicts_with = "rule"
+    )]
+    certificate: Option<PathBuf>,
     /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
@@ -99,8 +113,9 @@ impl Check {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         self.require_one_reader_of_stdin()?;
+        self.require_sense()?;
         let mut outcome = Ok(());
-        for file in families(&self.files) {
+        for file in families(&batch::expand(&self.files)?) {
             let report = match self.check(&file, quiet) {
                 Ok(report) => report,
                 Err(failure @ Failure::BadInput(_)) => {
@@ -122,6 +137,21 @@ impl Check {
         outcome
     }
 
+    /// Requires that nothing is said twice.
+    fn require_sense(&self) -> Result<(), Failure> {
+        let usage = |text: &str| Err(Failure::Usage(text.to_owned()));
+        match self.certificate {
+            None => Ok(()),
+            Some(_) if self.bounds.is_refined() => {
+                usage("--certificate says what was asked; leave out --refined and the bounds")
+            }
+            Some(_) if families(&self.files).len() > 1 => {
+                usage("--certificate is about one mesh; name one")
+            }
+            Some(_) => Ok(()),
+        }
+    }
+
     fn require_one_reader_of_stdin(&self) -> Result<(), Failure> {
         let is_stdin = |file: &PathBuf| file == Path::new("-");
         let others = [("--points", &self.points), ("--domain", &self.domain)];
@@ -136,10 +166,15 @@ impl Check {
     }
 
     fn check(&self, file: &Path, quiet: bool) -> Result<Report, Failure> {
+        if let (Some(certificate), Some(domain)) = (&self.certificate, &self.domain) {
+            return certified::check(file, domain, certificate, &self.reading, quiet);
+        }
         let source = Source::from_arg(file);
         let progress = Progress::new(quiet);
         let ((mesh, drawing), read) = timed(|| {
-            let mesh = self.reading.mesh(&source, &progress)?;
+            let input = self.reading.open(file)?;
+            let mesh = input.mesh(&progress)?;
+            progress.note(&input.named(files::notes(&mesh.vertices)));
             Ok((mesh, self.drawing(&progress)?))
         })?;
         let ((findings, absences), check) = timed(|| {

@@ -1,11 +1,12 @@
-//! The command line as a whole: one command a file, one global option.
+//! The command line as a whole: one command a file, two global options.
 
+use crate::completions::{Completions, Man};
 use crate::exit::{self, Failure};
 use crate::{
-    algorithms::Algorithms, check::Check, cluster::Cluster, contour::Contour, convert::Convert,
-    cover::Cover, graph::Graph, info::Info, interpolate::Interpolate, mesh::Mesh, nearest::Nearest,
-    race::Race, sample::Sample, theatre::Theatre, triangle::Triangle, triangulate::Triangulate,
-    voronoi::Voronoi,
+    algorithms::Algorithms, check::Check, cluster::Cluster, config::RunFile, contour::Contour,
+    convert::Convert, cover::Cover, doctor::Doctor, formats::Formats, graph::Graph, info::Info,
+    interpolate::Interpolate, mesh::Mesh, nearest::Nearest, race::Race, sample::Sample,
+    theatre::Theatre, triangle::Triangle, triangulate::Triangulate, voronoi::Voronoi,
 };
 
 const EXAMPLES: &str = "\
@@ -20,12 +21,15 @@ Examples:
   delone cover survey.csv -d 6 -o c.vtu       6 to 17 data in each triangle, to fit something there
   delone graph towns.csv --kind tour -o tour.geojson   a short tour; also trees and other graphs
   delone cluster towns.csv -n 12 -o groups.csv   twelve groups of points that lie together
-  delone info map.poly                        do segments cross or overlap, and where? exactly
+  delone info map.poly                        what a file holds: points, segments, columns, regions
+  delone doctor map.poly --repair clean.poly  what is wrong with it, exactly, and the repair
   delone check mesh.ele                       is every circle empty? exactly, from the files alone
   delone sample uniform -n 1000000 -o u.npy   a million points to play with
   delone algorithms run sweep --svg sweep.svg   watch a classical algorithm at work, step by step
   delone theatre                              the algorithms in your browser: play, step, race, mesh
   delone convert mesh.ele mesh.vtu            the same mesh for ParaView
+  delone formats                              what is read and written, and what survives
+  delone run job.toml                         jobs that a file describes, done again and again
   delone triangle -pq30a0.1 map.poly          for scripts: Triangle's switches, Triangle's files";
 
 /// Quality meshes and Delaunay triangulations: exact, canonical, fast.
@@ -40,12 +44,16 @@ pub struct Cli {
     /// Say nothing but errors: no summary, no notes, no progress bar
     #[arg(short, long, global = true)]
     quiet: bool,
+    /// Say more: which format a file has and why, what it holds, how long each phase takes and how fast
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
     #[command(subcommand)]
     command: Command,
 }
 
+/// What there is to do.
 #[derive(clap::Subcommand)]
-enum Command {
+pub enum Command {
     Mesh(Mesh),
     Triangulate(Triangulate),
     Nearest(Nearest),
@@ -56,13 +64,18 @@ enum Command {
     Graph(Graph),
     Cluster(Cluster),
     Info(Info),
+    Doctor(Doctor),
     Check(Check),
     Sample(Sample),
     Algorithms(Algorithms),
     Race(Race),
     Theatre(Theatre),
     Convert(Convert),
+    Formats(Formats),
     Triangle(Triangle),
+    Run(RunFile),
+    Completions(Completions),
+    Man(Man),
 }
 
 impl Cli {
@@ -79,14 +92,29 @@ impl Cli {
             Command::Graph(command) => command.run(self.quiet),
             Command::Cluster(command) => command.run(self.quiet),
             Command::Info(command) => command.run(self.quiet),
+            Command::Doctor(command) => command.run(self.quiet),
             Command::Check(command) => command.run(self.quiet),
             Command::Sample(command) => command.run(self.quiet),
             Command::Algorithms(command) => command.run(self.quiet),
             Command::Race(command) => command.run(self.quiet),
             Command::Theatre(command) => command.run(self.quiet),
             Command::Convert(command) => command.run(self.quiet),
+            Command::Formats(command) => command.run(),
             Command::Triangle(command) => command.run(self.quiet),
+            Command::Run(command) => command.run(self.quiet),
+            Command::Completions(command) => command.run(),
+            Command::Man(command) => command.run(self.quiet),
         }
+    }
+
+    /// Returns what there is to do.
+    pub fn asked(&self) -> &Command {
+        &self.command
+    }
+
+    /// Tells whether everything is to be said that may interest somebody.
+    pub fn is_verbose(&self) -> bool {
+        self.verbose
     }
 }
 

@@ -1,11 +1,15 @@
 //! `delone convert`: the same points, domain or mesh in another format.
 
+use crate::batch::{self, Batching, Many, Naming};
 use crate::exit::Failure;
-use crate::files::{Content, Input, Outputs, Reading, Writing};
+use crate::files::{self, Content, Input, Outputs, Reading, Writing};
+use crate::memory::peak_rss_bytes;
+use crate::phases::Phases;
 use crate::progress::Progress;
-use crate::words::{self, counted, list};
+use crate::words::{self, counted};
 use delone_io::{Format, MeshView};
-use std::path::PathBuf;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -14,106 +18,250 @@ Examples:
   delone convert mesh.ele mesh.vtu                 mesh.node and mesh.ele, for ParaView
   delone convert mesh.ele mesh.png --size 3000     a picture, 3000 pixels wide or high
   delone convert mesh.vtu mesh.ele --one-based     numbered from 1
-  delone convert - points.node --from csv          from standard input";
+  delone convert - points.node --from csv          from standard input
+  delone convert 'maps/*.geojson' --out-dir polys --to poly   each of them; also: {}.poly instead";
+
+const JSON: &str = "\
+The JSON object of --json:
+  holds            what was converted: points, domain or mesh
+  points, triangles, segments, polygons, holes, regions
+                   counts of what was read; null where the kind has none
+  seconds          wall time of the phases read, write
+  peak_rss_bytes   largest memory of the process so far (null where the system does not tell)";
 
 /// Convert points, a domain or a mesh from one format to another
 ///
-/// If the input holds triangles (.ele, .vtu, .npy with .points.npy beside it) and the output can,
-/// they come along; so do the segments of a domain (.poly, GeoJSON, WKT). Otherwise points are
+/// If the input holds triangles (.ele, .vtu, .msh, .npy with .points.npy beside it) and the output can,
+/// they come along; so do the segments of a domain (.poly, GeoJSON, WKT, .msh of lines). Otherwise points are
 /// converted. Nothing is triangulated and nothing is checked.
-#[derive(clap::Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
+#[derive(clap::Args, Clone)]
+#[command(
+    override_usage = "delone convert [OPTIONS] INPUT OUTPUT\n       delone convert [OPTIONS] --out-dir DIR --to FORMAT INPUT…"
+)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}\n\n{}", batch::HELP, crate::exit::HELP))]
 pub struct Convert {
-    /// File to read, or `-` for standard input
-    input: PathBuf,
-    /// File to write, or `-` for standard output (with --to)
-    output: PathBuf,
+    /// File to read and file to write, or `-` for standard input and (with --to) output; with --out-dir files to read
+    #[arg(required = true, value_name = "INPUT OUTPUT")]
+    files: Vec<PathBuf>,
     /// Convert the points alone, even if there are triangles or segments
     #[arg(long)]
     points: bool,
+    /// Print one JSON object with counts, seconds and memory
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
     writing: Writing,
+    #[command(flatten)]
+    batching: Batching,
+}
+
+/// What has been converted; the fields are the keys of `--json`.
+#[derive(Default, Serialize)]
+struct Figures {
+    holds: &'static str,
+    points: usize,
+    triangles: Option<usize>,
+    segments: Option<usize>,
+    polygons: Option<usize>,
+    holes: Option<usize>,
+    regions: Option<usize>,
+    #[serde(skip)]
+    in_words: String,
+}
+
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    figures: Figures,
+    seconds: Phases,
+    peak_rss_bytes: Option<u64>,
+}
+
+impl Many for Convert {
+    fn batching(&self) -> &Batching {
+        &self.batching
+    }
+
+    /// All but the output.
+    fn inputs(&self) -> Vec<PathBuf> {
+        let inputs = match self.output() {
+            Some(_) => &self.files[..self.files.len() - 1],
+            None => &self.files,
+        };
+        inputs.to_owned()
+    }
+
+    fn asks_json(&self) -> bool {
+        self.json
+    }
+
+    fn for_one(&self, input: &Path, naming: &Naming<'_>) -> Result<Self, Failure> {
+        let output = match self.output() {
+            Some(output) => naming.name(output, input, "output")?,
+            None => naming
+                .usual(input, self.writing.to())?
+                .ok_or_else(|| Failure::Usage("an output is needed, or --out-dir".to_owned()))?,
+        };
+        Ok(Self {
+            files: vec![input.to_owned(), output],
+            batching: Batching::default(),
+            ..self.clone()
+        })
+    }
+
+    fn settle(&self) -> Result<Outputs, Failure> {
+        self.outputs(Content::Any)
+    }
+
+    fn in_a_batch(&mut self, _: usize) {
+        self.json = true;
+    }
+
+    fn run_alone(&self, quiet: bool) -> Result<(), Failure> {
+        // A name that will not do is refused before anything is read.
+        let outputs = self.outputs(Content::Any)?;
+        if outputs.use_stdout() && self.json {
+            let clash = "--json and the output `-` both want standard output; name a file for one";
+            return Err(Failure::Usage(clash.to_owned()));
+        }
+        let input = self.reading.open(self.input())?;
+        let progress = Progress::new(quiet);
+        let takes = |can: fn(Format) -> bool| {
+            !self.points && self.writing.format(self.to()).is_none_or(can)
+        };
+        let mut phases = Phases::default();
+        let (written, figures) =
+            if takes(Format::writes_mesh) && input.brings_triangles(&progress)? {
+                self.convert_mesh(&input, &mut phases, &progress)?
+            } else if takes(Format::writes_segments) && input.brings_segments(&progress)? {
+                self.convert_domain(&input, &mut phases, &progress)?
+            } else {
+                self.convert_points(&input, &mut phases, &progress)?
+            };
+        progress.finish();
+        if self.json {
+            return files::print_json(&Report {
+                figures,
+                seconds: phases,
+                peak_rss_bytes: peak_rss_bytes(),
+            });
+        }
+        if !quiet && !written.is_empty() {
+            words::wrote_what(&figures.in_words, &written);
+        }
+        Ok(())
+    }
 }
 
 impl Convert {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
-        // A name that will not do is refused before anything is read.
-        self.outputs(Content::Any)?;
-        let input = self.reading.open(&self.input)?;
-        let progress = Progress::new(quiet);
-        let takes = |can: fn(Format) -> bool| {
-            !self.points && self.writing.format(&self.output).is_none_or(can)
-        };
-        let (written, what) = if input.brings_triangles() && takes(Format::writes_mesh) {
-            self.convert_mesh(&input, &progress)?
-        } else if input.brings_segments() && takes(Format::writes_segments) {
-            self.convert_domain(&input, &progress)?
-        } else {
-            self.convert_points(&input, &progress)?
-        };
-        progress.finish();
-        if !quiet && !written.is_empty() {
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            eprintln!("wrote {what} to {}", list(&names));
+        let is_lone = self.batching.out_dir.is_none() && self.files.len() < 2;
+        if is_lone {
+            let lacking = "an output is needed: delone convert INPUT OUTPUT, or --out-dir DIR --to FORMAT\n\n\
+                           Usage: delone convert [OPTIONS] INPUT OUTPUT";
+            return Err(Failure::Usage(lacking.to_owned()));
         }
-        Ok(())
+        batch::run(self, quiet)
+    }
+
+    /// Returns the output, if one is named: with a folder for all of them only a name with `{}` is one.
+    fn output(&self) -> Option<&Path> {
+        let last = self.files.last()?;
+        let is_pattern = last.to_string_lossy().contains("{}");
+        (is_pattern || self.batching.out_dir.is_none()).then_some(last)
+    }
+
+    /// Returns the input of a command that has one.
+    fn input(&self) -> &Path {
+        &self.files[0]
+    }
+
+    /// Returns the output of a command that has one.
+    fn to(&self) -> &Path {
+        &self.files[1]
     }
 
     fn convert_mesh(
         &self,
         input: &Input,
+        phases: &mut Phases,
         progress: &Progress,
-    ) -> Result<(Vec<PathBuf>, String), Failure> {
+    ) -> Result<(Vec<PathBuf>, Figures), Failure> {
         let outputs = self.outputs(Content::Mesh)?;
         outputs.spare(&input.files())?;
-        let mesh = input.mesh(progress)?;
-        let written = self
-            .writing
-            .mesh(&outputs, &MeshView::from(&mesh), progress)?;
+        let mesh = phases.time("read", || input.mesh(progress))?;
+        progress.note(&input.named(files::notes(&mesh.vertices)));
+        let view = MeshView::from(&mesh);
+        let written = phases.time("write", || self.writing.mesh(&outputs, &view, progress))?;
         let points = counted(mesh.vertices.points.len(), "point", "points");
         let triangles = counted(mesh.triangles.len(), "triangle", "triangles");
-        Ok((written, format!("{points} and {triangles}")))
+        let figures = Figures {
+            holds: "mesh",
+            points: mesh.vertices.points.len(),
+            triangles: Some(mesh.triangles.len()),
+            in_words: format!("{points} and {triangles}"),
+            ..Figures::default()
+        };
+        Ok((written, figures))
     }
 
     fn convert_domain(
         &self,
         input: &Input,
+        phases: &mut Phases,
         progress: &Progress,
-    ) -> Result<(Vec<PathBuf>, String), Failure> {
+    ) -> Result<(Vec<PathBuf>, Figures), Failure> {
         let outputs = self.outputs(Content::Domain)?;
         outputs.spare(&input.files())?;
-        let (mut domain, unused) = input.domain(progress)?;
+        let (mut domain, unused) = phases.time("read", || input.domain(progress))?;
         progress.note(&unused);
-        let written = self.writing.domain(&outputs, &domain, progress)?;
-        Ok((written, words::domain(&domain.take_pslg())))
+        let written = phases.time("write", || self.writing.domain(&outputs, &domain, progress))?;
+        let pslg = domain.take_pslg();
+        let figures = Figures {
+            holds: "domain",
+            points: pslg.points.len(),
+            triangles: None,
+            segments: Some(pslg.segments.len()),
+            polygons: Some(pslg.polygons.len()),
+            holes: Some(pslg.holes.len()),
+            regions: Some(pslg.regions.len()),
+            in_words: words::domain(&pslg),
+        };
+        Ok((written, figures))
     }
 
     fn convert_points(
         &self,
         input: &Input,
+        phases: &mut Phases,
         progress: &Progress,
-    ) -> Result<(Vec<PathBuf>, String), Failure> {
+    ) -> Result<(Vec<PathBuf>, Figures), Failure> {
         self.require_no_triangles()?;
         let outputs = self.outputs(Content::Points)?;
         outputs.spare(&input.files())?;
-        let (points, unused) = input.points(progress)?;
+        let (points, unused) = phases.time("read", || input.points(progress))?;
         progress.note(&unused);
-        let written = self.writing.points(&outputs, &points, progress)?;
-        let what = counted(points.points.len(), "point", "points");
-        Ok((written, what))
+        let written = phases.time("write", || self.writing.points(&outputs, &points, progress))?;
+        let figures = Figures {
+            holds: "points",
+            points: points.points.len(),
+            in_words: counted(points.points.len(), "point", "points"),
+            ..Figures::default()
+        };
+        Ok((written, figures))
     }
 
     fn outputs(&self, content: Content) -> Result<Outputs, Failure> {
-        self.writing.outputs([(self.output.clone(), content)])
+        self.writing.outputs([(self.to().to_owned(), content)])
     }
 
     fn require_no_triangles(&self) -> Result<(), Failure> {
-        match self.writing.format(&self.output) {
+        match self.writing.format(self.to()) {
             Some(format) if format.writes_mesh() && !format.writes_points() => {
-                let [input, output] = [&self.input, &self.output].map(|p| p.display());
+                let [input, output] = [self.input(), self.to()].map(Path::display);
                 Err(Failure::Usage(format!(
                     "{output}: {format} holds triangles, but {input} brings none; \
                      `delone triangulate {input} -o OUT.ele` makes them"

@@ -2,23 +2,33 @@
 
 mod content;
 mod family;
+mod head;
 mod input;
+mod losses;
+mod notes;
+mod outputs;
+mod region;
 
 use crate::exit::Failure;
 use crate::progress::{Progress, Unstoppable};
+use crate::voice;
 pub use content::Content;
 use delone::RefinedMesh;
 use delone_io::{
-    Attribute, CellsView, ClustersView, DomainData, Error, Format, Links, MeshView, PictureOptions,
-    PointSet, Relief, ReliefOptions, ReportOptions, Target, WriteOptions,
+    CellsView, ClustersView, DomainData, Error, Format, Links, MeshView, Papers, PictureOptions,
+    PointSet, Relief, ReliefOptions, ReportOptions, Target, TroublesView, WriteOptions,
 };
-use family::Member;
-pub use input::{Input, Reading, head, in_hand};
+pub use family::place;
+pub use head::{head, in_hand};
+pub use input::{Input, Reading};
+use losses::Held;
+pub use notes::notes;
+pub use outputs::{Outputs, PaperNames};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Options about outputs.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Files")]
 pub struct Writing {
     /// Number points and triangles from 1 instead of 0 in .node, .ele, .edge, .neigh, .poly
@@ -28,107 +38,12 @@ pub struct Writing {
     /// them all but --picture: node, ele, poly, csv, npy, geojson, vtu, svg, png …
     #[arg(long, value_name = "FORMAT", alias = "format")]
     to: Option<Format>,
+    /// Write text instead of bytes in .ply, .stl and .vtk
+    #[arg(long)]
+    ascii: bool,
     /// Longer side of pictures, in pixels [default: 1200]
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(16..=8192))]
     size: Option<u32>,
-}
-
-/// Outputs whose names, formats and folders have been looked at before the work begins.
-#[derive(Default)]
-pub struct Outputs {
-    files: Vec<Target>,
-    /// What is written besides: pages, diagrams, sites, reliefs.
-    asides: Vec<(Content, Target)>,
-    /// The files that all these consist of.
-    members: Vec<Member>,
-    stream: Option<Target>,
-}
-
-impl Outputs {
-    /// Tells whether something goes to standard output.
-    pub fn use_stdout(&self) -> bool {
-        self.stream.is_some()
-    }
-
-    /// Tells whether there is nothing to write.
-    pub fn is_empty(&self) -> bool {
-        self.files.is_empty() && self.asides.is_empty() && self.stream.is_none()
-    }
-
-    /// Requires that none of the files to be written is one of those that are read.
-    pub fn spare(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
-        self.members
-            .iter()
-            .try_for_each(|member| member.require_not_among(inputs))
-    }
-
-    /// Says in words what the outputs have no place for: arrays hold coordinates and corners alone.
-    fn losses(&self, markers: bool, triangle_attributes: &[Attribute]) -> Vec<String> {
-        let markers = markers.then_some("boundary markers");
-        let names = triangle_attributes.iter().map(|a| a.name.as_str());
-        let lost: Vec<&str> = markers.into_iter().chain(names).collect();
-        let targets = self.files.iter().chain(&self.stream);
-        targets
-            .filter(|target| target.format == Some(Format::Npy) && !lost.is_empty())
-            .map(|target| {
-                format!(
-                    "{target}: left out, for npy has no place: {}",
-                    lost.join(", ")
-                )
-            })
-            .collect()
-    }
-
-    /// Settles a file that somebody else writes, alone.
-    pub fn reserve(&mut self, path: &Path) -> Result<(), Failure> {
-        self.add_member(family::alone(path))
-    }
-
-    fn add_member(&mut self, member: Member) -> Result<(), Failure> {
-        member.require_writable()?;
-        let apart = |other: &Member| member.require_apart_from(other);
-        self.members.iter().try_for_each(apart)?;
-        self.members.push(member);
-        Ok(())
-    }
-
-    fn add_file(&mut self, path: &Path, format: Format, content: Content) -> Result<(), Failure> {
-        for member in family::members(path, format, content) {
-            self.add_member(member)?;
-        }
-        let target = Target::from_arg(path, Some(format));
-        if content.is_aside() {
-            self.asides.push((content, target));
-        } else {
-            self.files.push(target);
-        }
-        Ok(())
-    }
-
-    /// Tells whether there is something of this content to be written besides.
-    pub fn has_aside(&self, content: Content) -> bool {
-        self.asides.iter().any(|(c, _)| *c == content)
-    }
-
-    /// Lists the files.
-    pub fn pictures(&self) -> Vec<Target> {
-        self.files.iter().chain(&self.stream).cloned().collect()
-    }
-
-    /// Lists what is written besides that has this content.
-    fn asides(&self, content: Content) -> Vec<Target> {
-        let matching = self.asides.iter().filter(|(c, _)| *c == content);
-        matching.map(|(_, target)| target.clone()).collect()
-    }
-
-    fn add_stream(&mut self, format: Format) -> Result<(), Failure> {
-        if self.stream.is_some() {
-            let twice = "only one output can go to standard output; give the others a name";
-            return Err(Failure::Usage(twice.to_owned()));
-        }
-        self.stream = Some(Target::from_arg("-", Some(format)));
-        Ok(())
-    }
 }
 
 impl Writing {
@@ -157,6 +72,11 @@ impl Writing {
             }
         }
         Ok(outputs)
+    }
+
+    /// Returns the format that --to names.
+    pub fn to(&self) -> Option<Format> {
+        self.to
     }
 
     /// Returns the longer side of pictures, in pixels, if it was asked for.
@@ -203,10 +123,27 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
-        progress.note(&outputs.losses(mesh.markers.is_some(), mesh.triangle_attributes));
+        progress.note(&outputs.losses(&Held::by_mesh(mesh), self.ascii));
         write(outputs, |targets| {
             delone_io::write_mesh(targets, mesh, &options, progress)
         })
+    }
+
+    /// Writes a mesh with its papers and returns the names of the files.
+    pub fn certified(
+        &self,
+        outputs: &Outputs,
+        mesh: &MeshView<'_>,
+        papers: &Papers<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        if papers.certificate.is_none() && papers.lineage.is_none() {
+            return self.mesh(outputs, mesh, progress);
+        }
+        let options = self.options();
+        progress.note(&outputs.losses(&Held::by_mesh(mesh), self.ascii));
+        delone_io::write_certified(&outputs.files, mesh, &options, papers, progress)
+            .map_err(unwritable)
     }
 
     /// Writes the report pages about a mesh and returns the names of the files.
@@ -234,7 +171,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
-        progress.note(&outputs.losses(points.markers.is_some(), &[]));
+        progress.note(&outputs.losses(&Held::by_points(points), self.ascii));
         write(outputs, |targets| {
             delone_io::write_points(targets, points, &options, progress)
         })
@@ -249,7 +186,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
-        progress.note(&outputs.losses(points.markers.is_some(), &[]));
+        progress.note(&outputs.losses(&Held::by_points(points), self.ascii));
         write(outputs, |targets| {
             let targets = targets.iter().cloned();
             let (pictures, tables): (Vec<_>, Vec<_>) =
@@ -270,6 +207,7 @@ impl Writing {
         progress: &Progress,
     ) -> Result<Vec<PathBuf>, Failure> {
         let options = self.options();
+        progress.note(&outputs.losses(&Held::by_domain(domain), self.ascii));
         write(outputs, |targets| {
             delone_io::write_domain(targets, domain, &options, progress)
         })
@@ -366,6 +304,18 @@ impl Writing {
             .map_err(unwritable)
     }
 
+    /// Shows troubles besides something else and returns the names of the files.
+    pub fn troubles(
+        &self,
+        outputs: &Outputs,
+        view: &TroublesView<'_>,
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let targets = outputs.asides(Content::Troubles);
+        let picture = self.options().picture;
+        delone_io::write_troubles(&targets, view, &picture, progress).map_err(unwritable)
+    }
+
     fn relief_options(&self) -> ReliefOptions {
         ReliefOptions {
             picture: self.options().picture,
@@ -377,6 +327,7 @@ impl Writing {
         let usual = PictureOptions::default();
         WriteOptions {
             one_based: self.one_based,
+            ascii: self.ascii,
             picture: PictureOptions {
                 size: self.size.unwrap_or(usual.size),
                 ..usual
@@ -434,6 +385,9 @@ pub fn print_json(what: &impl Serialize) -> Result<(), Failure> {
 /// Prints one line on standard output.
 pub fn print(line: &str) -> Result<(), Failure> {
     use std::io::{ErrorKind, Write};
+    if voice::keep(line, |kept| &mut kept.results) {
+        return Ok(());
+    }
     let mut stdout = std::io::stdout().lock();
     writeln!(stdout, "{line}")
         .and_then(|()| stdout.flush())

@@ -1,8 +1,10 @@
 //! What every command does that makes a mesh: from an input, or the sample, to outputs and figures.
 
 mod build;
+mod certify;
 mod report;
 
+use crate::batch::{Batching, Naming};
 use crate::exit::Failure;
 use crate::files::{Content, Input, Outputs, Reading, Writing};
 use crate::numbering::Numbering;
@@ -10,6 +12,7 @@ use crate::progress::Progress;
 use crate::refinable::Refinable;
 use crate::sample::scene_data;
 pub use build::{Building, Built, Laps, refine};
+pub use certify::{Certify, Made, OfMesh, Subject, proof_failure, rule_word};
 use delone_io::DomainData;
 use delone_samples::Scene;
 pub use report::{Figures, Report};
@@ -20,11 +23,11 @@ const SAMPLE: Scene = Scene::Lake;
 
 /// Input and outputs, and how to get from one to the others.
 // Options without heading say so, lest they come under that of whatever stands before them.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 pub struct Job {
-    /// File of points or of a domain, or `-` for standard input
-    #[arg(help_heading = None)]
-    input: Option<PathBuf>,
+    /// Files of points or of domains, `-` for standard input, or patterns as in 'maps/*.poly'
+    #[arg(value_name = "INPUT", help_heading = None)]
+    inputs: Vec<PathBuf>,
     /// Mesh to write: .node/.ele (a family of files), .npy, .vtu, .geojson, .svg, .png, or `-`;
     /// repeatable
     #[arg(short, long, value_name = "OUT", help_heading = None)]
@@ -45,12 +48,53 @@ pub struct Job {
     reading: Reading,
     #[command(flatten)]
     pub writing: Writing,
+    #[command(flatten)]
+    pub batching: Batching,
+    #[command(flatten)]
+    certify: Certify,
 }
 
 impl Job {
     /// Returns the number of threads.
     pub fn threads(&self) -> usize {
         threads(self.threads)
+    }
+
+    /// Returns the inputs as they are named.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        self.inputs.clone()
+    }
+
+    /// Returns the job for one of its inputs, whose outputs are named by `naming`; `names_more` tells whether
+    /// the command names outputs of its own.
+    pub fn for_one(
+        &self,
+        input: &Path,
+        naming: &Naming<'_>,
+        names_more: bool,
+    ) -> Result<Self, Failure> {
+        let mut output = naming.names(&self.output, input, "-o")?;
+        let picture = self.picture.as_deref();
+        let picture = picture.map(|p| naming.name(p, input, "--picture"));
+        let picture = picture.transpose()?;
+        let names_something = names_more || picture.is_some();
+        if output.is_empty() && (self.writing.to().is_some() || !names_something) {
+            output.extend(naming.usual(input, self.writing.to())?);
+        }
+        Ok(Self {
+            inputs: vec![input.to_owned()],
+            output,
+            picture,
+            certify: self.certify.for_one(input, naming)?,
+            ..self.clone()
+        })
+    }
+
+    /// Makes results be told as JSON, and lets the work have so many threads if nobody has said how many.
+    pub fn in_a_batch(&mut self, threads: usize) {
+        self.json = true;
+        let threads = u16::try_from(threads).unwrap_or(u16::MAX);
+        self.threads = self.threads.or(Some(threads));
     }
 
     /// Reads points or a domain, which no output may overwrite.
@@ -87,7 +131,7 @@ impl Job {
 
     /// Opens the input, if one is named.
     fn open(&self, outputs: &Outputs) -> Result<Option<Input>, Failure> {
-        match &self.input {
+        match self.inputs.first() {
             Some(path) => {
                 let input = self.reading.open(path)?;
                 outputs.spare(&input.files())?;
@@ -109,7 +153,8 @@ impl Job {
         let pictures = self.picture.iter().map(|p| (p.clone(), Content::Picture));
         let pages = reports.into_iter().flatten();
         let pages = pages.map(|page| (page.clone(), Content::Report));
-        let asked = self.writing.outputs(meshes.chain(pictures).chain(pages))?;
+        let mut asked = self.writing.outputs(meshes.chain(pictures).chain(pages))?;
+        self.certify.settle(&mut asked)?;
         if asked.use_stdout() && self.json {
             let clash = "--json and the output `-` both want standard output; name a file for one";
             return Err(Failure::Usage(clash.to_owned()));
@@ -123,7 +168,7 @@ impl Job {
     /// Tells whether no input, output or figure was asked for: somebody tries the program.
     pub fn demonstrates(&self) -> bool {
         let asks = self.json || self.picture.is_some() || !self.output.is_empty();
-        self.input.is_none() && !asks
+        self.inputs.is_empty() && !asks
     }
 
     /// What is left in the current folder then.

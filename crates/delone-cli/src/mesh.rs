@@ -4,21 +4,22 @@ mod goals;
 mod method;
 mod reached;
 
+use crate::batch::{self, Batching, Many, Naming};
 use crate::exit::Failure;
 use crate::files::{self, Content, Outputs};
-use crate::job::{Figures, Job, Laps, Report};
+use crate::job::{Figures, Job, Laps, Made, OfMesh, Report};
 use crate::numbering::Numbering;
 use crate::progress::Progress;
 use crate::refinable::{Ancestors, Refinable};
 use crate::timing::timed;
 use crate::unmet::Unexcused;
 use crate::words::command_line;
-use delone::{RefinedMesh, Refinement};
-use delone_io::{DomainData, Inherited, MeshView, ReportOptions};
+use delone::{Angle, RefinedMesh, Refinement};
+use delone_io::{AskedFor, DomainData, Inherited, MeshView, ReportOptions};
 use goals::Goals;
 use method::{Limits, Method};
 use reached::Reached;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,6 +31,7 @@ Examples:
   delone mesh part.poly --keep-boundary -o part.vtu   no vertex is added on a segment
   delone mesh part.poly --quadratic --smooth 3 -o part.vtu   six nodes each, vertices moved a little
   delone mesh old.ele --area-per-region -o new.ele   refines a mesh as old.area asks
+  delone mesh parts/*.poly --out-dir meshes --to vtu   each of them, and a table of what has become of them
   delone mesh part.poly --json | jq .unmet_by_reason";
 
 const JSON: &str = "\
@@ -52,7 +54,7 @@ const NEXT: &str = "\
 Next: open lake.html, or lake.png; or let the mesh be verified from its files alone:
   delone sample lake -o drawing.poly
   delone check lake.ele --domain drawing.poly --refined
-Your own: delone mesh map.poly --max-edge 0.5 -o mesh.vtu --report mesh.html (`delone info map.poly` first)";
+Your own: delone mesh map.poly --max-edge 0.5 -o mesh.vtu --report mesh.html (`delone doctor map.poly` first)";
 
 /// Mesh a domain with good triangles: from a file to mesh, picture, report and figures
 ///
@@ -62,18 +64,18 @@ Your own: delone mesh map.poly --max-edge 0.5 -o mesh.vtu --report mesh.html (`d
 /// input. The mesh is a constrained Delaunay triangulation; the same input and options give the same
 /// mesh on every machine and with any number of threads, unless --max-time cuts it short.
 ///
-/// A mesh (.ele, .vtu, .npy of corners) is refined: its vertices, its segments if the file has them, and
+/// A mesh (.ele, .vtu, .msh, .vtk, .npy of corners) is refined: its vertices, its segments if the file has them, and
 /// its border stay, and the new triangles have the attributes of the old.
 ///
 /// Without INPUT a sample is meshed: a lake with islands. Without -o only what --picture, --report and
 /// --json ask for is written.
-#[derive(clap::Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
+#[derive(clap::Args, Clone)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}\n\n{}", batch::HELP, crate::exit::HELP))]
 pub struct Mesh {
     /// Report to write, .html (a page with everything), .svg or .png; repeatable
     #[arg(short, long, value_name = "PAGE")]
     report: Vec<PathBuf>,
-    /// Write triangles of six nodes, with the midpoints of their edges: .node/.ele and .vtu only
+    /// Write triangles of six nodes, with the midpoints of their edges: .node/.ele, .vtu, .vtk, .msh …
     #[arg(long)]
     quadratic: bool,
     #[command(flatten)]
@@ -87,7 +89,7 @@ pub struct Mesh {
 }
 
 /// What has been made of an input.
-struct Made {
+struct Meshed {
     refined: RefinedMesh,
     laps: Laps,
     /// The input but for its graph.
@@ -95,9 +97,38 @@ struct Made {
     ancestors: Option<Ancestors>,
 }
 
-impl Mesh {
-    /// Runs the command.
-    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+impl Many for Mesh {
+    fn batching(&self) -> &Batching {
+        &self.job.batching
+    }
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.job.inputs()
+    }
+
+    fn asks_json(&self) -> bool {
+        self.job.json
+    }
+
+    fn for_one(&self, input: &Path, naming: &Naming<'_>) -> Result<Self, Failure> {
+        let report = naming.names(&self.report, input, "--report")?;
+        Ok(Self {
+            job: self.job.for_one(input, naming, !report.is_empty())?,
+            report,
+            ..self.clone()
+        })
+    }
+
+    fn settle(&self) -> Result<Outputs, Failure> {
+        self.method.require_sense(&self.goals)?;
+        self.outputs()
+    }
+
+    fn in_a_batch(&mut self, threads: usize) {
+        self.job.in_a_batch(threads);
+    }
+
+    fn run_alone(&self, quiet: bool) -> Result<(), Failure> {
         self.method.require_sense(&self.goals)?;
         let outputs = self.outputs()?;
         outputs.spare(&self.goals.sizing.files())?;
@@ -113,7 +144,7 @@ impl Mesh {
         // Hashed before the files get their names, for after that nothing should take long.
         let figures = Figures::of_domain(&made.refined.mesh, self.job.threads());
         let details = self.details(&figures, &made.laps);
-        let Made {
+        let Meshed {
             refined,
             laps,
             domain,
@@ -144,6 +175,13 @@ impl Mesh {
         let unexcused = Unexcused::of(&refined, &numbering, method::LIMITS);
         unexcused.map_or(Ok(()), |u| Err(Failure::NotReached(u.to_string())))
     }
+}
+
+impl Mesh {
+    /// Runs the command.
+    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+        batch::run(self, quiet)
+    }
 
     fn outputs(&self) -> Result<Outputs, Failure> {
         let mesh = if self.quadratic {
@@ -171,7 +209,7 @@ impl Mesh {
         input: Refinable,
         numbering: &Numbering,
         progress: &Progress,
-    ) -> Result<Made, Failure> {
+    ) -> Result<Meshed, Failure> {
         let Refinable {
             mut domain,
             sizes,
@@ -187,7 +225,7 @@ impl Mesh {
         let (building, threads) = (&self.job.building, self.job.threads());
         let (refined, laps) =
             building.refine(refinement, &mut domain, threads, numbering, progress)?;
-        Ok(Made {
+        Ok(Meshed {
             refined,
             laps,
             domain,
@@ -207,6 +245,30 @@ impl Mesh {
         details
     }
 
+    /// Says what was asked of the triangles.
+    fn asked(&self) -> AskedFor {
+        let quality = self.goals.quality();
+        AskedFor {
+            min_angle_degrees: quality.min_angle.map(Angle::to_degrees),
+            max_edge: quality.max_edge,
+            max_area: quality.max_area,
+            area_per_region: quality.region_areas,
+            sizing: self.goals.sizing.names(),
+            keep_boundary: self.method.kept().map(str::to_owned),
+            conforming: self.method.is_conforming(),
+        }
+    }
+
+    /// Lists the options that the mesh does not show.
+    fn options(&self) -> Vec<String> {
+        let quadratic = self.quadratic.then(|| "quadratic".to_owned());
+        let method = self.method.options().into_iter();
+        method
+            .chain(self.limits.options())
+            .chain(quadratic)
+            .collect()
+    }
+
     /// Writes mesh, pictures and pages, with what the mesh has inherited.
     fn write(
         &self,
@@ -223,7 +285,14 @@ impl Mesh {
         } else {
             mesh
         };
-        let mut written = writing.mesh(outputs, &elements, progress)?;
+        let made = Made {
+            asked: Some(self.asked()),
+            sizing: Some(&self.goals.sizing),
+            options: self.options(),
+            ..Made::of("mesh", OfMesh::Domain(&refined.mesh), &mesh)
+        };
+        let papers = self.job.certify(outputs, &made, progress)?;
+        let mut written = writing.certified(outputs, &elements, &papers.view(), progress)?;
         written.extend(writing.reports(outputs, refined, &mesh, options, progress)?);
         Ok(written)
     }

@@ -2,6 +2,7 @@
 
 use crate::exit::Failure;
 use crate::timing::timed;
+use crate::voice;
 use crate::words::{duration, wrote};
 use serde::{Serialize, Serializer};
 use std::path::PathBuf;
@@ -25,10 +26,10 @@ impl Phases {
 
     /// Tells people, after some lines of the command's own, how long it took, and which files there are.
     pub fn summarise(&self, lines: &[String], written: &[PathBuf]) {
-        lines.iter().for_each(|line| eprintln!("{line}"));
-        eprintln!("{}", self.in_words());
+        lines.iter().for_each(|line| voice::say(line));
+        voice::say(&self.in_words());
         if let Some(files) = wrote(written) {
-            eprintln!("{files}");
+            voice::say(&files);
         }
     }
 

@@ -3,14 +3,17 @@
 use crate::exit::Failure;
 use crate::files::{self, Content, Input, Outputs, Writing};
 use crate::progress::Progress;
-use crate::words::{self, counted, list};
+use crate::words::{self, counted};
 use delone::{Point, Region};
 use delone_io::{DomainData, Format, PointSet, ReadOptions, Source};
 use delone_samples::{Distribution, Domain, Drawing, Scene, Sheet};
-use std::path::PathBuf;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 /// The name of the embedded points.
 const EMBEDDED: &str = "populated-places";
+
+const ABOUT_EMBEDDED: &str = "1249 places of the world: longitude, latitude, population";
 
 /// The most points that a triangulation takes: 32 bits number its half-edges, six for a point.
 const MAX_POINTS: usize = (u32::MAX / 6) as usize;
@@ -26,11 +29,22 @@ Examples:
   delone sample uniform -n 1000000 --seed 7 -o points.npy
   delone sample tilted-grid -n 3600 | delone triangulate - --json";
 
+const JSON: &str = "\
+The JSON object of --json:
+  files            the files written
+  seed             the seed of what is generated
+  points, segments, holes, regions
+                   counts
+Without NAME one object for each sample, each on its own line:
+  name, about      what it is called, and what it is
+  kind             points or domain
+  any_number       whether --count says how many points or segments";
+
 /// List and write samples: points and domains, embedded, drawn, or generated for benchmarks
 ///
 /// The same name, count and seed give the same coordinates, bit for bit, on every machine.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", crate::exit::HELP))]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
 pub struct Sample {
     /// Name of the sample; without it the samples are listed
     #[arg(value_parser = name)]
@@ -45,8 +59,53 @@ pub struct Sample {
     /// Seed of the random numbers
     #[arg(short, long, default_value_t = 1)]
     seed: u64,
+    /// Print one JSON object: of what is written, or without NAME of each sample
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     writing: Writing,
+}
+
+/// What has been written; the fields are the keys of `--json`.
+#[derive(Default, Serialize)]
+struct Figures {
+    files: Vec<String>,
+    seed: u64,
+    points: usize,
+    segments: usize,
+    holes: usize,
+    regions: usize,
+    #[serde(skip)]
+    in_words: String,
+}
+
+/// A sample as `--json` lists it.
+#[derive(Serialize)]
+struct Listed {
+    name: &'static str,
+    kind: &'static str,
+    about: &'static str,
+    any_number: bool,
+}
+
+fn all() -> Vec<Listed> {
+    let listed = |kind, any_number| {
+        move |(name, about)| Listed {
+            name,
+            kind,
+            about,
+            any_number,
+        }
+    };
+    let embedded = [(EMBEDDED, ABOUT_EMBEDDED)].map(listed("points", false));
+    let points = Distribution::ALL.map(|d| (d.name(), d.about()));
+    let points = points.map(listed("points", true));
+    let scenes = Scene::ALL.map(|s| (s.name(), s.about()));
+    let scenes = scenes.map(listed("domain", false));
+    let domains = Domain::ALL.map(|d| (d.name(), d.about()));
+    let domains = domains.map(listed("domain", true));
+    let more = points.into_iter().chain(scenes).chain(domains);
+    embedded.into_iter().chain(more).collect()
 }
 
 /// A sample that can be had.
@@ -88,8 +147,15 @@ impl Sample {
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
         let progress = Progress::new(quiet);
         let Some(name) = self.name else {
-            return files::print(&listing());
+            return match self.json {
+                true => all().iter().try_for_each(files::print_json),
+                false => files::print(&listing()),
+            };
         };
+        if self.json && self.output.iter().all(|path| path == Path::new("-")) {
+            let clash = "--json and the sample both want standard output; name a file with -o";
+            return Err(Failure::Usage(clash.to_owned()));
+        }
         let (written, what) = match name {
             Name::Embedded => {
                 let (points, unused) = embedded().points(&progress)?;
@@ -110,9 +176,11 @@ impl Sample {
             }
         };
         progress.finish();
+        if self.json {
+            return files::print_json(&what);
+        }
         if !quiet && !written.is_empty() {
-            let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
-            eprintln!("wrote {what} to {}", list(&names));
+            words::wrote_what(&what.in_words, &written);
         }
         Ok(())
     }
@@ -121,20 +189,44 @@ impl Sample {
         &self,
         points: &PointSet,
         progress: &Progress,
-    ) -> Result<(Vec<PathBuf>, String), Failure> {
+    ) -> Result<(Vec<PathBuf>, Figures), Failure> {
         let outputs = self.outputs(Content::Points, Format::Table)?;
         let written = self.writing.points(&outputs, points, progress)?;
-        Ok((written, counted(points.points.len(), "point", "points")))
+        let points = points.points.len();
+        let figures = Figures {
+            points,
+            in_words: counted(points, "point", "points"),
+            ..self.figures(&written)
+        };
+        Ok((written, figures))
     }
 
     fn write_domain(
         &self,
         mut domain: DomainData,
         progress: &Progress,
-    ) -> Result<(Vec<PathBuf>, String), Failure> {
+    ) -> Result<(Vec<PathBuf>, Figures), Failure> {
         let outputs = self.outputs(Content::Domain, Format::Poly)?;
         let written = self.writing.domain(&outputs, &domain, progress)?;
-        Ok((written, words::domain(&domain.take_pslg())))
+        let pslg = domain.take_pslg();
+        let figures = Figures {
+            points: pslg.points.len(),
+            segments: pslg.segments.len(),
+            holes: pslg.holes.len(),
+            regions: pslg.regions.len(),
+            in_words: words::domain(&pslg),
+            ..self.figures(&written)
+        };
+        Ok((written, figures))
+    }
+
+    /// Begins the figures with what is known without the sample.
+    fn figures(&self, written: &[PathBuf]) -> Figures {
+        Figures {
+            seed: self.seed,
+            files: written.iter().map(|p| p.display().to_string()).collect(),
+            ..Figures::default()
+        }
     }
 
     fn outputs(&self, content: Content, default: Format) -> Result<Outputs, Failure> {
@@ -210,10 +302,7 @@ fn require_room(count: usize) -> Result<(), Failure> {
 fn listing() -> String {
     let row = |name: &str, about: &str| format!("\n  {name:18} {about}");
     let mut text = "Points, embedded:".to_owned();
-    text += &row(
-        EMBEDDED,
-        "1249 places of the world: longitude, latitude, population",
-    );
+    text += &row(EMBEDDED, ABOUT_EMBEDDED);
     text += &row("", "(made with Natural Earth, public domain)");
     text += "\n\nPoints, of any number (--count) and seed (--seed):";
     text.extend(Distribution::ALL.map(|d| row(d.name(), d.about())));

@@ -16,7 +16,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// Options about sizes that depend on the place.
-#[derive(clap::Args, Default)]
+#[derive(clap::Args, Clone, Default)]
 pub struct Sizing {
     /// Longest edge place by place: an expression of x and y, FILE:COLUMN, or
     /// distance:WHAT,at=SIZE,growth=RATE; repeatable, the smallest wins
@@ -56,6 +56,20 @@ impl Sizing {
         let named = self.specs.iter().filter_map(Spec::file);
         let inputs = named.filter_map(|file| Reading::default().open(file).ok());
         inputs.flat_map(|input| input.files()).collect()
+    }
+
+    /// Names all that is asked for, files without their folders.
+    pub fn names(&self) -> Vec<String> {
+        self.specs.iter().map(Spec::name).collect()
+    }
+
+    /// Takes what was [named](Self::names); files lie in `folder`.
+    pub fn named(names: &[String], folder: &Path) -> Result<Self, String> {
+        let specs = names
+            .iter()
+            .map(|name| Ok(name.parse::<Spec>()?.within(folder)));
+        let specs = specs.collect::<Result<_, String>>()?;
+        Ok(Self { specs })
     }
 
     /// Makes the field, or none if none is asked for; `domain` is the input with its points and
@@ -141,7 +155,7 @@ fn require_sizes(text: &str, expression: &Expression, vertices: &PointSet) -> Re
 /// Reads sizes at points or at the vertices of a mesh.
 fn background(file: &Path, column: &str, progress: &Progress) -> Result<Background, Failure> {
     let input = Reading::default().open(file)?;
-    let (vertices, triangles, others) = if input.brings_triangles() {
+    let (vertices, triangles, others) = if input.brings_triangles(progress)? {
         let mesh = input.mesh(progress)?;
         (
             mesh.vertices,

@@ -15,7 +15,7 @@ mod server;
 
 use crate::exit::Failure;
 use crate::progress::Progress;
-use crate::{files, interrupt};
+use crate::{files, interrupt, voice};
 use answer::House;
 use page::{Asset, PAGE};
 use server::{Door, Service};
@@ -68,8 +68,8 @@ impl Theatre {
             false => opened(&address),
         };
         if !quiet {
-            note.iter().for_each(|note| eprintln!("{note}"));
-            eprintln!("the page is there as long as this program runs; Ctrl-C ends it");
+            note.iter().for_each(|note| voice::note(note));
+            voice::say("the page is there as long as this program runs; Ctrl-C ends it");
         }
         Err(stopped(&service.wait()))
     }
@@ -106,7 +106,7 @@ fn opened(address: &str) -> Option<&'static str> {
     let tried = open::that_detached_with_timeout(address, PATIENCE);
     tried
         .err()
-        .map(|_| "note: no browser could be opened: open the address yourself")
+        .map(|_| "no browser could be opened: open the address yourself")
 }
 
 fn stopped(error: &io::Error) -> Failure {

@@ -1,12 +1,13 @@
 //! `delone triangulate`: points and segments in, mesh, picture and figures out.
 
+use crate::batch::{self, Batching, Many, Naming};
 use crate::exit::Failure;
 use crate::files::{self, Content, Outputs};
-use crate::job::{Built, Figures, Job, Report};
+use crate::job::{Built, Figures, Job, Made, OfMesh, Report};
 use crate::progress::Progress;
 use crate::timing::timed;
 use delone_io::{DomainData, Inherited, MeshView};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,7 +42,7 @@ const NEXT: &str = "\
 Next: open lake.png, or let the result be verified from its files alone:
   delone sample lake -o drawing.poly
   delone check lake.ele --domain drawing.poly
-Your own: delone triangulate map.poly -o mesh.ele --picture mesh.png (`delone info map.poly` first)";
+Your own: delone triangulate map.poly -o mesh.ele --picture mesh.png (`delone doctor map.poly` first)";
 
 /// Triangulate points and segments: from a file to mesh, picture and figures
 ///
@@ -52,16 +53,40 @@ Your own: delone triangulate map.poly -o mesh.ele --picture mesh.png (`delone in
 ///
 /// Without INPUT a sample is triangulated: a lake with islands. Without -o only what --picture and
 /// --json ask for is written.
-#[derive(clap::Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
+#[derive(clap::Args, Clone)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}\n\n{}", batch::HELP, crate::exit::HELP))]
 pub struct Triangulate {
     #[command(flatten)]
     job: Job,
 }
 
-impl Triangulate {
-    /// Runs the command.
-    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+impl Many for Triangulate {
+    fn batching(&self) -> &Batching {
+        &self.job.batching
+    }
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.job.inputs()
+    }
+
+    fn asks_json(&self) -> bool {
+        self.job.json
+    }
+
+    fn for_one(&self, input: &Path, naming: &Naming<'_>) -> Result<Self, Failure> {
+        let job = self.job.for_one(input, naming, false)?;
+        Ok(Self { job })
+    }
+
+    fn settle(&self) -> Result<Outputs, Failure> {
+        self.job.outputs(Content::Mesh, None)
+    }
+
+    fn in_a_batch(&mut self, threads: usize) {
+        self.job.in_a_batch(threads);
+    }
+
+    fn run_alone(&self, quiet: bool) -> Result<(), Failure> {
         let outputs = self.job.outputs(Content::Mesh, None)?;
         let progress = Progress::new(quiet);
         let threads = self.job.threads();
@@ -87,6 +112,13 @@ impl Triangulate {
         }
         Ok(())
     }
+}
+
+impl Triangulate {
+    /// Runs the command.
+    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+        batch::run(self, quiet)
+    }
 
     /// Writes the mesh with what it has inherited from `domain`.
     fn write(
@@ -101,13 +133,17 @@ impl Triangulate {
             _ if outputs.is_empty() => Ok(Vec::new()),
             Built::Points(triangulation) => {
                 let mesh = MeshView::from(triangulation).with_data(&domain.vertices);
-                writing.mesh(outputs, &mesh, progress)
+                let made = Made::of("triangulate", OfMesh::Points(triangulation), &mesh);
+                let papers = self.job.certify(outputs, &made, progress)?;
+                writing.certified(outputs, &mesh, &papers.view(), progress)
             }
             Built::Domain(result) => {
                 let inherited = Inherited::new(result, domain, progress);
                 let inherited = inherited.map_err(files::unwritable)?;
                 let mesh = MeshView::constrained(result, &inherited);
-                writing.mesh(outputs, &mesh, progress)
+                let made = Made::of("triangulate", OfMesh::Domain(result), &mesh);
+                let papers = self.job.certify(outputs, &made, progress)?;
+                writing.certified(outputs, &mesh, &papers.view(), progress)
             }
         }
     }

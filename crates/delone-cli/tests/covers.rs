@@ -77,7 +77,7 @@ fn everything_is_written_and_says_the_same() {
         "asked for were 5 to 14",
         "#",
         "c.vtu, c.node, c.ele, c.edge, c.neigh, c.geojson, c.png and held.csv",
-        "left out, because they hold no numbers: ship",
+        "left out, because they hold no numbers of points: ship",
     ]);
     let held = held(&folder, "c.geojson");
     assert_eq!(held.iter().sum::<usize>(), 120);

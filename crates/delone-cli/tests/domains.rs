@@ -120,10 +120,12 @@ fn polygons_of_geojson_and_wkt_are_evenodd_and_lines_keep_the_hull() {
 }
 
 #[test]
-fn a_mesh_without_segments_is_not_called_wrong() {
+fn arrays_bring_their_segments_and_a_mesh_without_is_not_called_wrong() {
     let folder = with(&[("holed.poly", HOLED)]);
     folder.run("triangulate holed.poly -o mesh.npy -o mesh.vtu", 0);
     folder.run("check mesh.vtu --domain holed.poly", 0);
+    folder.run("check mesh.npy --domain holed.poly", 0);
+    std::fs::remove_file(folder.path().join("mesh.segments.npy")).expect("the segments");
     let output = folder.run("check mesh.npy --domain holed.poly", 3);
     output.says(&["holds no segments", ".vtu"]);
 }

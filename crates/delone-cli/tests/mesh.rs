@@ -289,7 +289,7 @@ fn a_budget_that_does_not_suffice_is_4_and_the_mesh_is_written() {
     assert_eq!(json["unmet_by_reason"]["stopped"], json["unexcused"]);
     assert!(folder.read("m.node").starts_with("30 2 1 1\n"));
     output.says(&[
-        "error: square.poly: ",
+        "\"error\":\"square.poly: ",
         "triangles are not as asked, and the input is no excuse",
         "near (",
         "--max-vertices",

@@ -194,8 +194,11 @@ fn what_a_conversion_leaves_out_is_mentioned() {
         assert_eq!(starts.count(), 4, "{mesh}: {rows}");
     }
     folder
-        .run("convert m.ele n.npy", 0)
-        .says(&["note: n.npy", "boundary markers"]);
+        .run("convert m.ele n.off", 0)
+        .says(&["note: n.off", "boundary markers"]);
+    // There they are the last column of the points.
+    let kept = folder.run("convert m.ele n.npy", 0).stderr;
+    assert!(!kept.contains("left out"), "{kept}");
     folder
         .run("sample populated-places -o cities.npy", 0)
         .says(&["note", "name"]);

@@ -208,6 +208,7 @@ fn help_and_version_are_0() {
         "mesh",
         "triangulate",
         "info",
+        "doctor",
         "check",
         "sample",
         "convert",
@@ -215,6 +216,9 @@ fn help_and_version_are_0() {
         "algorithms",
         "race",
         "theatre",
+        "run",
+        "completions",
+        "man",
     ] {
         assert!(folder.run("--help", 0).stdout.contains(command));
         let help = folder.run(&format!("{command} --help"), 0).stdout;
@@ -253,8 +257,11 @@ fn help_names_every_key_of_the_json_of_info_and_check() {
     folder.run("triangulate points.csv --domain hull -o m.ele", 0);
     for (command, line) in [
         ("info", "info points.csv --json"),
+        ("doctor", "doctor points.csv --json"),
         ("check", "check m.ele --json"),
         ("cover", "cover points.csv -d 2 --json"),
+        ("convert", "convert points.csv p.npy --json"),
+        ("sample", "sample lake -o lake.poly --json"),
     ] {
         let help = folder.run(&format!("{command} --help"), 0).stdout;
         let (_, help) = help.split_once("The JSON object").expect("a section");
@@ -271,13 +278,13 @@ fn help_and_readme_say_the_same_of_exit_codes() {
     let (_, codes) = help.split_once("Exit codes:\n").expect("the codes");
     // What does not begin with a code goes on with the line before.
     let mut rows: Vec<String> = Vec::new();
-    for line in codes.lines() {
+    for line in codes.lines().take_while(|l| l.starts_with("  ")) {
         match rows.last_mut() {
             Some(row) if line.starts_with("     ") => row.push_str(&format!(" {}", line.trim())),
             _ => rows.push(line.trim().to_owned()),
         }
     }
-    assert_eq!(rows.len(), 6);
+    assert_eq!(rows.len(), 7);
     for row in rows {
         let (code, meaning) = row.split_once(' ').expect("a code");
         let row = format!("| {code} | {} |", meaning.trim());
@@ -296,11 +303,25 @@ fn the_examples_of_the_readme_run() {
         .map(|line| line.split('#').next().unwrap_or(line).trim());
     // Samples come first, for others read them.
     let (samples, others): (Vec<_>, Vec<_>) = examples.partition(|e| e.starts_with("sample"));
-    assert_eq!((samples.len(), others.len()), (2, 18));
+    assert_eq!((samples.len(), others.len()), (2, 22));
     for (name, content) in DATA {
         folder.write(name, content);
     }
     folder.write("survey.xyz", "0 0 1\n20 0 15\n0 20 32\n");
+    folder.write(
+        "cloud.laz",
+        include_bytes!("../../delone-io/tests/data/lidar/seven.laz"),
+    );
+    folder.write(
+        "map.shp",
+        include_bytes!("../../delone-io/tests/data/gis/fields.shp"),
+    );
+    folder.write(
+        "jobs.toml",
+        "[[job]]\ninput = \"lake.poly\"\noutput = \"again.vtu\"\n",
+    );
+    std::fs::create_dir(folder.path().join("maps")).expect("a folder");
+    folder.run("sample lake -o maps/lake.poly", 0);
     for example in samples.iter().chain(&others) {
         folder.run(&example.replace("1000000", "1000"), 0);
     }
@@ -412,6 +433,7 @@ fn lines_of_help_fit_a_terminal() {
         "mesh -h",
         "triangulate -h",
         "info -h",
+        "doctor -h",
         "check -h",
         "sample -h",
         "convert -h",
@@ -421,10 +443,133 @@ fn lines_of_help_fit_a_terminal() {
         "algorithms run -h",
         "race -h",
         "theatre -h",
+        "run -h",
+        "completions -h",
+        "man -h",
         "sample",
     ] {
         for text in folder.run(line, 0).stdout.lines() {
             assert!(text.chars().count() <= 100, "{line}: {text}");
         }
     }
+}
+
+#[test]
+fn under_json_a_failure_is_an_object() {
+    let folder = Folder::with_points();
+    folder.write("bad.csv", "x,y\n0,0\n1,zero\n");
+    for (line, code, kind, file, at) in [
+        (
+            "mesh points.csv --json --min-angle 70",
+            2,
+            "usage",
+            None,
+            None,
+        ),
+        (
+            "info nowhere.csv --json",
+            3,
+            "bad_input",
+            Some("nowhere.csv"),
+            None,
+        ),
+        (
+            "triangulate bad.csv --json",
+            3,
+            "bad_input",
+            Some("bad.csv"),
+            Some(3),
+        ),
+        (
+            "check bad.csv --json",
+            3,
+            "bad_input",
+            Some("bad.csv"),
+            None,
+        ),
+        (
+            "contour bad.csv --json",
+            3,
+            "bad_input",
+            Some("bad.csv"),
+            Some(3),
+        ),
+        (
+            "triangulate points.csv --json -o none/m.vtu",
+            4,
+            "not_reached",
+            None,
+            None,
+        ),
+        ("sample lake --json", 2, "usage", None, None),
+    ] {
+        let output = folder.run(line, code);
+        assert_eq!(output.stdout, "", "{line}");
+        assert_eq!(
+            output.stderr.lines().count(),
+            1,
+            "{line}: {}",
+            output.stderr
+        );
+        let told: serde_json::Value = serde_json::from_str(&output.stderr).expect(line);
+        assert_eq!(told["kind"], kind, "{line}: {told}");
+        assert_eq!(told["code"], code, "{line}");
+        assert_eq!(told["file"].as_str(), file, "{line}: {told}");
+        assert_eq!(told["line"].as_u64(), at, "{line}: {told}");
+        assert!(
+            !told["error"].as_str().expect("words").contains("--help"),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn samples_are_listed_as_objects() {
+    let folder = Folder::new();
+    let listed = folder.run("sample --json", 0).stdout;
+    let names = listed.lines().map(|line| {
+        let sample: serde_json::Value = serde_json::from_str(line).expect("an object");
+        sample["name"].as_str().expect("a name").to_owned()
+    });
+    let names: Vec<String> = names.collect();
+    let said = folder.run("sample", 0).stdout;
+    assert!(names.len() > 10);
+    for name in names {
+        assert!(said.contains(&name), "{name}");
+        folder.run(&format!("sample {name} -n 20 -o s.svg --quiet"), 0);
+    }
+}
+
+#[test]
+fn verbose_says_what_was_read_and_how_fast_and_quiet_forbids_it() {
+    let folder = Folder::with_points();
+    let output = folder.run("triangulate points.csv -v -o m.vtu", 0);
+    output.says(&[
+        "points.csv: csv, as its name says",
+        "6 points from (0, 0) to (4, 3)",
+        "memory: ",
+        "m.vtu (",
+        " kB)",
+    ]);
+    assert_eq!(output.stdout, "");
+    let plain = folder.run("triangulate points.csv -o m.vtu", 0).stderr;
+    assert!(!plain.contains("memory"), "{plain}");
+    folder
+        .run("triangulate points.csv -v -q", 2)
+        .says(&["--verbose", "--quiet"]);
+}
+
+#[test]
+fn words_are_coloured_for_terminals_only() {
+    let folder = Folder::new();
+    let said = folder.run("triangulate nowhere.csv", 3).stderr;
+    assert!(said.starts_with("error: cannot read nowhere.csv"), "{said}");
+    let mut command = folder.command("triangulate nowhere.csv");
+    let forced = command.env("CLICOLOR_FORCE", "1").assert().code(3);
+    let said = support::Output::of(forced).stderr;
+    assert!(said.contains("\u{1b}["), "{said:?}");
+    let mut command = folder.command("triangulate nowhere.csv");
+    let bare = command.env("NO_COLOR", "1").assert().code(3);
+    let said = support::Output::of(bare).stderr;
+    assert!(!said.contains('\u{1b}'), "{said:?}");
 }

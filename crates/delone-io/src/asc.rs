@@ -1,50 +1,16 @@
-//! `.asc`: ESRI's ASCII grid, written only.
+//! `.asc`: ESRI's ASCII grid, in the corner or the centres of its cells, square or (as GDAL has it) not.
 //!
-//! Six lines of header and the rows from the top. Cells that are not square have `dx` and `dy` instead of
-//! `cellsize`, as GDAL writes and reads them.
+//! Esri, *ASCII to Raster*: lines of header, `ncols`, `nrows`, `xllcorner` or `xllcenter`, `yllcorner` or
+//! `yllcenter`, `cellsize` or `dx` and `dy`, `NODATA_value` (−9999 unless it is said), in any order and any case;
+//! then the values, row after row from the top.
+//!
+//! Read are the centres of cells as points, with the attribute `z`; cells without value, or whose value is NaN, are
+//! no points. A centre is the double nearest to what the decimals of the header say, see [`decimal`](crate::decimal).
+//!
+//! *Cost*: about 50 ns a cell.
 
-use crate::Error;
-use crate::target::Output;
-use delone::surface::Raster;
+mod read;
+mod write;
 
-/// Writes a raster.
-pub(crate) fn write(out: &mut Output<'_>, raster: &Raster) -> Result<(), Error> {
-    let grid = raster.grid();
-    let missing = missing_value(raster);
-    let integers = [("ncols", grid.columns()), ("nrows", grid.rows())];
-    for (name, number) in integers {
-        out.text(format_args!("{name} {number}\n"))?;
-    }
-    let [dx, dy] = grid.cell();
-    let low = grid.low();
-    let mut numbers = vec![("xllcorner", low.x), ("yllcorner", low.y)];
-    match dx == dy {
-        true => numbers.push(("cellsize", dx)),
-        false => numbers.extend([("dx", dx), ("dy", dy)]),
-    }
-    numbers.push(("NODATA_value", missing));
-    for (name, number) in numbers {
-        out.text(format_args!("{name} "))?;
-        out.number(number);
-        out.separator(b'\n');
-    }
-    for row in raster.rows() {
-        for (i, &value) in row.iter().enumerate() {
-            if i > 0 {
-                out.blank();
-            }
-            out.number(if value.is_nan() { missing } else { value });
-        }
-        out.end_line()?;
-    }
-    Ok(())
-}
-
-/// Returns −9999, or with more nines, which no cell has.
-fn missing_value(raster: &Raster) -> f64 {
-    let mut missing = -9999.0;
-    while raster.rows().flatten().any(|&value| value == missing) {
-        missing = missing * 10.0 - 9.0;
-    }
-    missing
-}
+pub(crate) use read::{read_points, sniff};
+pub(crate) use write::write;

@@ -26,7 +26,12 @@ pub struct Constraints {
 impl Constraints {
     /// Tells whether there are no edges, holes and regions.
     pub(crate) fn is_empty(&self) -> bool {
-        self.edges.is_empty() && self.holes.is_empty() && self.regions.is_empty()
+        self.edges.is_empty() && !self.has_seeds()
+    }
+
+    /// Tells whether there are holes or regions, named by points.
+    pub(crate) fn has_seeds(&self) -> bool {
+        !self.holes.is_empty() || !self.regions.is_empty()
     }
 
     /// Returns the marker of a constrained edge; 0 is none.

@@ -1,7 +1,12 @@
 //! Domains as files hold them, and how they are read.
 
+#[cfg(feature = "las")]
+use crate::las;
 use crate::points::{self, read_sibling, resolve};
-use crate::{Error, Format, PointSet, ReadOptions, Source, geojson, poly, wkt};
+use crate::{
+    Error, Format, MeshData, PointSet, ReadOptions, Source, airfoil, dxf, geojson, jigsaw, mesh,
+    outline, poly, shp, svg, wkt,
+};
 use delone::{DomainRule, Point, Pslg, Region, VertexId, Watch};
 use std::ops::Range;
 
@@ -102,6 +107,32 @@ impl From<Pslg> for DomainData {
     }
 }
 
+impl From<MeshData> for DomainData {
+    /// Takes the vertices of a mesh and what is constrained in it, and leaves its triangles.
+    ///
+    /// If there are only lines, they say what belongs to the domain: what rings enclose, by parity; where rings share
+    /// sides, all that the outside cannot reach; the hull if no ring is closed.
+    fn from(mesh: MeshData) -> Self {
+        let are_lines = mesh.triangles.is_empty();
+        let constraints = mesh.constraints.unwrap_or_default();
+        let mut domain = Self {
+            usual_rule: match constraints.edges.is_empty() {
+                true => DomainRule::Hull,
+                false => DomainRule::Carve,
+            },
+            segments: constraints.edges,
+            segment_markers: constraints.markers,
+            holes: constraints.holes,
+            regions: constraints.regions,
+            ..Self::from(mesh.vertices)
+        };
+        if are_lines && !domain.segments.is_empty() {
+            outline::settle(&mut domain);
+        }
+        domain
+    }
+}
+
 /// Reads a domain: points with all that a file says about the segments between them.
 ///
 /// Every format of points is one of domains too, without segments.
@@ -115,6 +146,10 @@ pub fn read_domain(
     options: &ReadOptions,
     watch: &dyn Watch,
 ) -> Result<DomainData, Error> {
+    #[cfg(feature = "las")]
+    if las::is_one(source, options) {
+        return las::read_points(source, options, watch).map(DomainData::from);
+    }
     let bytes = source.load(watch)?;
     let format = resolve(source, &bytes, options, Format::reads_points)?;
     read_loaded(source, &bytes, format, options, watch)
@@ -135,6 +170,16 @@ pub(crate) fn read_loaded(
         }),
         Format::GeoJson => geojson::read_domain(&file, bytes, watch),
         Format::Wkt => wkt::read_domain(&file, bytes, watch),
+        Format::Svg => svg::read_domain(&file, bytes, options, watch),
+        Format::Airfoil => airfoil::read_domain(&file, bytes, options, watch),
+        Format::Dxf => dxf::read_domain(&file, bytes, options, watch),
+        Format::Shp => shp::read_domain(source, bytes, options, watch),
+        #[cfg(feature = "parquet")]
+        Format::Parquet => crate::parquet::read_domain(&file, bytes, options, watch),
+        Format::Jigsaw => jigsaw::read_domain(&file, bytes, options, watch),
+        format if format.reads_mesh() && format.reads_segments() => {
+            mesh::read_loaded(source, bytes, format, options, watch).map(DomainData::from)
+        }
         _ => points::read_loaded(source, bytes, format, options, watch).map(DomainData::from),
     }
 }

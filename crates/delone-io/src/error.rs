@@ -66,6 +66,18 @@ pub enum Error {
         /// Names of the formats that can.
         instead: String,
     },
+    /// The format is known, but this build was made without it.
+    #[error(
+        "{file}: this build cannot read or write {format}; build delone-io with the feature {feature}"
+    )]
+    NotBuilt {
+        /// Name of the file.
+        file: String,
+        /// The format.
+        format: Format,
+        /// The feature that brings it.
+        feature: &'static str,
+    },
     /// The column asked for does not exist.
     #[error("{file}: no column {column}; there are {available}")]
     NoSuchColumn {

@@ -6,7 +6,7 @@ use crate::topology::{self, Topology};
 use crate::{
     Attribute, Constraints, Counts, Error, Format, Inherited, PointSet, ReadOptions, Source,
 };
-use crate::{ele, node, npy, poly, vtu};
+use crate::{ele, jigsaw, medit, msh, node, npy, obj, off, ply, poly, vtk, vtu};
 use delone::{ConstrainedTriangulation, Point, Triangulation, VertexId, Watch};
 
 /// A mesh read from files: not trusted to be a triangulation, but every corner is a vertex.
@@ -105,7 +105,7 @@ impl<'a> MeshView<'a> {
     }
 
     /// Makes triangles of six nodes, with the midpoints of their edges, for quadratic elements: in
-    /// `.node`, `.ele` and `.vtu`. Pictures and files of edges stay the same; other formats refuse.
+    /// `.node`, `.ele`, `.vtu`, `.vtk` and `.msh`. Pictures and files of edges stay the same; other formats refuse.
     pub fn quadratic(self) -> Self {
         Self {
             is_quadratic: true,
@@ -198,7 +198,8 @@ impl<'a> From<&'a MeshData> for MeshView<'a> {
     }
 }
 
-/// Reads a mesh: `.node` with `.ele` (either may be named), `.npy` with `.points.npy`, VTU.
+/// Reads a mesh: `.node` with `.ele` (either may be named), `.npy` with `.points.npy`, VTU, and other formats whose file
+/// holds all of it; these may hold points or lines alone, and then there are no triangles.
 ///
 /// A `.poly` file beside an `.ele` adds constrained edges, holes and regions, provided that it has no
 /// points of its own: with points it is a domain, not part of a mesh.
@@ -213,12 +214,23 @@ pub fn read_mesh(
     watch: &dyn Watch,
 ) -> Result<MeshData, Error> {
     let bytes = source.load(watch)?;
-    let file = source.to_string();
     let format = resolve(source, &bytes, options, Format::reads_mesh)?;
+    read_loaded(source, &bytes, format, options, watch)
+}
+
+/// Reads a mesh from the content of a source, whose format is known.
+pub(crate) fn read_loaded(
+    source: &Source,
+    bytes: &[u8],
+    format: Format,
+    options: &ReadOptions,
+    watch: &dyn Watch,
+) -> Result<MeshData, Error> {
+    let file = source.to_string();
     let beside = |extension| read_sibling(source, format, extension, options, watch);
     match format {
         Format::Node => {
-            let vertices = node::read_points(&file, &bytes, watch)?;
+            let vertices = node::read_points(&file, bytes, watch)?;
             let alone = || unsupported(source, format, "hold triangles", Format::reads_mesh);
             let triangles = source.beside("ele", alone)?;
             let bytes = triangles.load(watch)?;
@@ -226,11 +238,26 @@ pub fn read_mesh(
             with_graph_beside(mesh, source, watch)
         }
         Format::Ele => {
-            let mesh = ele::read_mesh(&file, &bytes, beside("node")?, watch)?;
+            let mesh = ele::read_mesh(&file, bytes, beside("node")?, watch)?;
             with_graph_beside(mesh, source, watch)
         }
-        Format::Npy => npy::read_mesh(&file, &bytes, beside("points.npy")?, watch),
-        Format::Vtu => vtu::read_mesh(&file, &bytes, watch),
+        Format::Npy => {
+            let mesh = npy::read_mesh(&file, bytes, beside("points.npy")?, watch)?;
+            with_segments_beside(mesh, source, watch)
+        }
+        #[cfg(feature = "parquet")]
+        Format::Parquet => {
+            let segments = source.beside_if_any("segments.parquet");
+            crate::parquet::read_mesh(&file, bytes, beside("points.parquet")?, segments, watch)
+        }
+        Format::Vtu => vtu::read_mesh(&file, bytes, watch),
+        Format::Vtk => vtk::read_mesh(&file, bytes, options, watch),
+        Format::Msh | Format::Msh2 => msh::read_mesh(&file, bytes, options, watch),
+        Format::Jigsaw => jigsaw::read_mesh(&file, bytes, options, watch),
+        Format::Obj => obj::read_mesh(&file, bytes, options, watch),
+        Format::Off => off::read_mesh(&file, bytes, options, watch),
+        Format::Ply => ply::read_mesh(&file, bytes, options, watch),
+        Format::Medit => medit::read_mesh(&file, bytes, watch),
         format => Err(unsupported(
             source,
             format,
@@ -238,6 +265,23 @@ pub fn read_mesh(
             Format::reads_mesh,
         )),
     }
+}
+
+/// Adds the constrained edges of a `.segments.npy` beside `source`, if there is one.
+fn with_segments_beside(
+    mesh: MeshData,
+    source: &Source,
+    watch: &dyn Watch,
+) -> Result<MeshData, Error> {
+    let Some(segments) = source.beside_if_any("segments.npy") else {
+        return Ok(mesh);
+    };
+    let (file, bytes) = (segments.to_string(), segments.load(watch)?);
+    let constraints = npy::read_segments(&file, &bytes, mesh.vertices.points.len(), watch)?;
+    Ok(MeshData {
+        constraints,
+        ..mesh
+    })
 }
 
 /// Adds what a `.poly` file beside `source` says, if it is one of the mesh.

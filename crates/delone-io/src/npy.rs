@@ -2,11 +2,14 @@
 //!
 //! NumPy documentation, `numpy.lib.format`. Points are a float or integer array of shape (n, 2) or
 //! (n, k), in C or Fortran order and either byte order; further columns become attributes.
-//! Triangles are an integer array of shape (m, 3). Structured arrays, complex numbers, half and
+//! Triangles are an integer array of shape (m, 3), constrained
+//! edges one of shape (k, 3), ends and marker. Structured arrays, complex numbers, half and
 //! extended precision are not read. Written is version 1, C order, little-endian.
 
+mod segments;
 mod write;
 
+pub(crate) use segments::read_segments;
 pub(crate) use write::{write_links, write_points, write_raster, write_segments, write_triangles};
 
 use crate::{Attribute, Column, Error, MeshData, Place, PointSet, Problem};
@@ -74,25 +77,8 @@ pub(crate) fn read_mesh(
     let mut triangles = Vec::with_capacity(array.rows);
     for row in 0..array.rows {
         array.poll(row * 3, watch)?;
-        let mut corners = [VertexId::INFINITE; 3];
-        for (k, corner) in corners.iter_mut().enumerate() {
-            let value = array.integer(row, k);
-            if !(0..num_vertices as i128).contains(&value) {
-                return Err(array.malformed(
-                    Place::Byte(array.offset(row, k) as u64),
-                    Problem::BadIndex {
-                        item: "triangle",
-                        row: row as u64,
-                        target: "vertex",
-                        index: value.clamp(i64::MIN.into(), i64::MAX.into()) as i64,
-                        limit: num_vertices as u64,
-                        base: 0,
-                    },
-                ));
-            }
-            *corner = VertexId::new(value as usize);
-        }
-        triangles.push(corners);
+        let corner = |k| array.vertex((row, k), "triangle", num_vertices);
+        triangles.push([corner(0)?, corner(1)?, corner(2)?]);
     }
     Ok(MeshData {
         vertices,
@@ -268,6 +254,30 @@ impl<'a> Array<'a> {
         // Up to the top and back again carries the sign.
         let unused = 64 - 8 * self.width as u32;
         (((bits << unused) as i64) >> unused).into()
+    }
+
+    /// Returns the vertex that stands in a row and a column.
+    fn vertex(
+        &self,
+        (row, column): (usize, usize),
+        item: &'static str,
+        num_vertices: usize,
+    ) -> Result<VertexId, Error> {
+        let value = self.integer(row, column);
+        if (0..num_vertices as i128).contains(&value) {
+            return Ok(VertexId::new(value as usize));
+        }
+        Err(self.malformed(
+            Place::Byte(self.offset(row, column) as u64),
+            Problem::BadIndex {
+                item,
+                row: row as u64,
+                target: "vertex",
+                index: value.clamp(i64::MIN.into(), i64::MAX.into()) as i64,
+                limit: num_vertices as u64,
+                base: 0,
+            },
+        ))
     }
 
     /// Returns a number as a double.

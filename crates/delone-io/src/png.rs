@@ -35,6 +35,19 @@ pub(crate) fn write(
     out.many_bytes(&encode(&draw_with_legend(&scene)?, &scene)?)
 }
 
+/// Draws a mesh, and sheets upon it.
+pub(crate) fn write_marked(
+    out: &mut Output<'_>,
+    scene: &Scene<'_>,
+    sheets: &[Sheet],
+) -> Result<(), Error> {
+    let mut page = draw_with_legend(scene)?;
+    for sheet in sheets {
+        draw_sheet(&mut page, sheet);
+    }
+    out.many_bytes(&encode(&page, scene)?)
+}
+
 /// Draws the mesh and its legend.
 pub(crate) fn draw_with_legend(scene: &Scene<'_>) -> Result<Pixmap, Error> {
     let mut page = draw(scene)?;

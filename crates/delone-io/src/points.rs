@@ -1,23 +1,25 @@
 //! Point sets as files hold them, and how they are read.
 
-use crate::{Error, Format, Lines, Problem, Source, domain, node, npy, table, vtu};
+#[cfg(feature = "las")]
+use crate::las;
+use crate::{Error, Format, Lines, Problem, Source, domain, mesh, node, npy, table};
 use delone::{Point, Watch};
 use std::fmt;
 use std::str::FromStr;
 
 /// Most columns that a file of points may have: far more than any has, and few enough that a broken
 /// header cannot exhaust the memory.
-const MAX_COLUMNS: u64 = 4096;
+pub(crate) const MAX_COLUMNS: usize = 4096;
 
 /// Checks a number of columns, before anything is made for each of them.
 pub(crate) fn check_columns(given: u64) -> Result<usize, Problem> {
-    if given <= MAX_COLUMNS {
+    if given <= MAX_COLUMNS as u64 {
         return Ok(given as usize);
     }
     Err(Problem::TooMany {
         items: "columns",
         given,
-        limit: MAX_COLUMNS,
+        limit: MAX_COLUMNS as u64,
     })
 }
 
@@ -43,6 +45,8 @@ pub struct PointSet {
     pub base: u32,
     /// Columns that were left out because they hold something else than numbers.
     pub left_out: Vec<LeftOut>,
+    /// What else there is to say about the file: what the reader left out, or had to decide.
+    pub notes: Vec<String>,
     /// Where the points stand, if the file is a text with a line for each.
     pub lines: Lines,
 }
@@ -89,14 +93,46 @@ impl FromStr for Column {
     }
 }
 
+/// Which returns of a laser's pulse are read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Returns {
+    /// Every one.
+    #[default]
+    All,
+    /// The first of each pulse: tops of trees and roofs.
+    First,
+    /// The last of each pulse: the ground, mostly.
+    Last,
+    /// The only one of its pulse: open ground and roofs.
+    Single,
+}
+
 /// How to read.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// The format; `None` means by extension, then by content.
     pub format: Option<Format>,
     /// The columns of x and y in tables and arrays; `None` means by name (x and y, longitude and
     /// latitude, easting and northing), then the first two that hold numbers.
     pub columns: Option<[Column; 2]>,
+    /// The classes of points that are read from point clouds; empty means all. 2 is ground. Points that are
+    /// marked as withheld are never read.
+    pub classes: Vec<u8>,
+    /// The returns that are read from point clouds.
+    pub returns: Returns,
+    /// How far a curve may be from the lines that replace it, in the unit of the drawing; `None` means a
+    /// thousandth of the larger side of the curve's box.
+    pub flatness: Option<f64>,
+    /// The layers that are read from drawings; empty means all.
+    pub layers: Vec<String>,
+}
+
+/// Returns third coordinates as an attribute, unless all are zero; its name is not that of another.
+pub(crate) fn heights(values: Vec<f64>, others: &[Attribute]) -> Option<Attribute> {
+    let taken = others.iter().any(|a| a.name == "z");
+    let name = if taken { "Points_2" } else { "z" }.to_owned();
+    let is_flat = values.iter().all(|&z| z == 0.0);
+    (!is_flat).then_some(Attribute { name, values })
 }
 
 /// Reads points with attributes and markers.
@@ -112,6 +148,11 @@ pub fn read_points(
     options: &ReadOptions,
     watch: &dyn Watch,
 ) -> Result<PointSet, Error> {
+    #[cfg(feature = "las")]
+    if las::is_one(source, options) {
+        // Clouds may be larger than memory; what is read of them is not.
+        return las::read_points(source, options, watch);
+    }
     let bytes = source.load(watch)?;
     let format = resolve(source, &bytes, options, Format::reads_points)?;
     read_loaded(source, &bytes, format, options, watch)
@@ -130,7 +171,11 @@ pub(crate) fn read_loaded(
         Format::Node => node::read_points(&file, bytes, watch),
         Format::Ele => read_sibling(source, Format::Ele, "node", options, watch),
         Format::Npy => npy::read_points(&file, bytes, options.columns.as_ref(), watch),
-        Format::Vtu => vtu::read_mesh(&file, bytes, watch).map(|mesh| mesh.vertices),
+        Format::Vtu | Format::Off => {
+            mesh::read_loaded(source, bytes, format, options, watch).map(|mesh| mesh.vertices)
+        }
+        #[cfg(feature = "las")]
+        Format::Las => las::read_loaded(&file, bytes, options, watch),
         Format::Table => table::read_points(&file, bytes, options.columns.as_ref(), watch),
         format if format.reads_segments() => {
             domain::read_loaded(source, bytes, format, options, watch).map(|d| d.vertices)
@@ -146,11 +191,9 @@ pub(crate) fn resolve(
     options: &ReadOptions,
     wanted: fn(Format) -> bool,
 ) -> Result<Format, Error> {
-    let by_name = || source.path().and_then(Format::from_path);
     options
         .format
-        .or_else(by_name)
-        .or_else(|| Format::sniff(bytes))
+        .or_else(|| Format::detect(source.path(), bytes))
         .ok_or_else(|| Error::UnknownFormat {
             file: source.to_string(),
             known: Format::names(wanted),
@@ -163,6 +206,15 @@ pub(crate) fn unsupported(
     action: &'static str,
     wanted: fn(Format) -> bool,
 ) -> Error {
+    if let Some(feature) = format.feature()
+        && !format.is_built()
+    {
+        return Error::NotBuilt {
+            file: file.to_string(),
+            format,
+            feature,
+        };
+    }
     Error::Unsupported {
         file: file.to_string(),
         format,
@@ -189,7 +241,7 @@ pub(crate) fn read_sibling(
     let sibling = source.beside(extension, alone)?;
     let options = ReadOptions {
         format: None,
-        columns: options.columns.clone(),
+        ..options.clone()
     };
     let points = read_points(&sibling, &options, watch)?;
     // Lines of another file.

@@ -98,6 +98,11 @@ impl<'a> Scanner<'a> {
         drop(rows.try_reserve(possible.min(declared)));
     }
 
+    /// Returns what stands behind the row just read.
+    pub fn rest(&self) -> &'a [u8] {
+        &self.text[self.position..]
+    }
+
     /// Makes the error for a problem in a row.
     pub fn at(&self, row: Row<'_>, problem: Problem) -> Error {
         self.malformed(Place::Line(row.line), problem)

@@ -35,6 +35,11 @@ pub(crate) struct Shapes {
 }
 
 impl Shapes {
+    /// Returns the number of points so far.
+    pub fn num_points(&self) -> usize {
+        self.points.len()
+    }
+
     /// Adds a loose point.
     pub fn point(&mut self, position: Position) -> Result<(), Problem> {
         self.push(position).map(|_| ())

@@ -1,8 +1,16 @@
-//! `.svg`: a picture of lines and areas, written only.
+//! `.svg`: a picture of lines and areas.
 //!
 //! Triangles are grouped by colour and edges by width, one path each, with coordinates to a tenth of
 //! a pixel: about 20 bytes a triangle. Beyond [`MAX_SHAPES`] triangles no viewer is quick any more,
 //! and the drawing goes in as an embedded image of pixels; the legend stays lines.
+
+mod basic;
+mod path;
+mod read;
+mod transform;
+mod tree;
+
+pub(crate) use read::{read_domain, sniff};
 
 use crate::picture::cells::{CellScene, color_of};
 use crate::picture::domain::{BAND_OPACITY, BAND_WIDTH, Band, RING};
@@ -27,6 +35,15 @@ pub(crate) fn write(
     watch: &dyn Watch,
 ) -> Result<(), Error> {
     let scene = Scene::new(out.file(), mesh, options, watch)?;
+    write_marked(out, &scene, &[])
+}
+
+/// Draws a mesh, and sheets upon it.
+pub(crate) fn write_marked(
+    out: &mut Output<'_>,
+    scene: &Scene<'_>,
+    sheets: &[Sheet],
+) -> Result<(), Error> {
     let [width, height] = scene.view.page;
     out.text(format_args!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
@@ -35,7 +52,10 @@ pub(crate) fn write(
         scene.title(),
         PAPER.hex()
     ))?;
-    write_drawing(out, &scene)?;
+    write_drawing(out, scene)?;
+    for sheet in sheets {
+        write_sheet(out, sheet, &INK.hex())?;
+    }
     out.text(format_args!("</svg>\n"))
 }
 

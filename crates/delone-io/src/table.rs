@@ -6,21 +6,28 @@
 //! tables with blanks, so is the rest of a line from `#` on. Cells may be quoted as in CSV
 //! (RFC 4180), but not run over a line end. x, y and every further column of numbers are read;
 //! columns that hold text are left out, and their names kept. An empty cell of a further column is
-//! NaN. Decimal commas and separators of thousands are not understood.
+//! NaN. Where cells are set apart by semicolons or tabs, [decimal commas](numbers) are understood, for all of
+//! the table; separators of thousands are not.
+//!
+//! A text that begins with `ncols` or `nrows` is [ESRI's ASCII grid](crate::asc).
 //!
 //! Written are commas, tabs or blanks, as the extension has it.
 //!
 //! *Cost*: about 100 ns a row of three numbers.
 
 mod delimiter;
+mod numbers;
 mod write;
 
 pub(crate) use write::{write_links, write_points};
 
 use crate::scan::{self, Row, Scanner};
-use crate::{Attribute, Column, Error, LeftOut, Lines, Place, PointSet, Problem, node, points};
+use crate::{
+    Attribute, Column, Error, LeftOut, Lines, Place, PointSet, Problem, asc, node, points,
+};
 use delimiter::{Delimiter, ROWS_LOOKED_AT};
 use delone::{Point, Watch};
+use numbers::{Numbers, Thousands, has_decimal_comma};
 use std::borrow::Cow;
 
 /// Names that mean x and y when a header has both.
@@ -40,13 +47,41 @@ pub(crate) fn read_points(
     columns: Option<&[Column; 2]>,
     watch: &dyn Watch,
 ) -> Result<PointSet, Error> {
+    if asc::sniff(bytes) {
+        return asc::read_points(file, bytes, watch);
+    }
+    match read_as(file, bytes, Numbers::Point, columns, watch)? {
+        Outcome::Points(set) => Ok(set),
+        // What has been read is no loss: it ends with the first such number.
+        Outcome::DecimalComma => match read_as(file, bytes, Numbers::Comma, columns, watch)? {
+            Outcome::Points(set) => Ok(set),
+            Outcome::DecimalComma => unreachable!("bug: commas were understood"),
+        },
+    }
+}
+
+/// What became of an attempt to read a table.
+enum Outcome {
+    Points(PointSet),
+    /// A coordinate would be a number if its comma were understood.
+    DecimalComma,
+}
+
+/// Reads a whole table whose numbers are written in one way.
+fn read_as(
+    file: &str,
+    bytes: &[u8],
+    numbers: Numbers,
+    columns: Option<&[Column; 2]>,
+    watch: &dyn Watch,
+) -> Result<Outcome, Error> {
     let mut reader = Reader::new(file, bytes, watch)?;
     let Some(first) = reader.next_row()? else {
         return Err(reader.scanner.malformed(Place::File, Problem::Empty));
     };
     let width = reader.cells.len();
     check_possible(width).map_err(|p| reader.scanner.at(first, p))?;
-    let header = is_header(&reader.cells, columns).then(|| names_of(&reader.cells));
+    let header = is_header(&reader.cells, numbers, columns).then(|| names_of(&reader.cells));
     let mut pending = Some(first);
     if header.is_some() {
         pending = reader.next_row()?;
@@ -56,18 +91,29 @@ pub(crate) fn read_points(
     } else if !header.as_deref().is_some_and(|h| names_points(h, columns)) {
         return Err(reader.scanner.malformed(Place::File, no_numbers()));
     }
-    let mut table = Table::new(file, &reader.cells, header, columns)?;
+    let mut table = Table::new(file, &reader.cells, header, numbers, columns)?;
     let bytes_per_row = (2 * width).max(first.text.len() / 2);
     reader
         .scanner
         .reserve(&mut table.points, bytes_per_row, u64::MAX);
     while let Some(row) = pending {
-        let pushed = table.push(&reader.cells, row.line);
-        pushed.map_err(|p| reader.scanner.at(row, p))?;
+        if let Err(problem) = table.push(&reader.cells, row.line) {
+            if numbers == Numbers::Point
+                && reader.may_have_commas()
+                && table.has_commas(&reader.cells)
+            {
+                return Ok(Outcome::DecimalComma);
+            }
+            return Err(reader.scanner.at(row, problem));
+        }
         pending = reader.next_row()?;
     }
+    if numbers == Numbers::Comma {
+        let checked = table.thousands.check();
+        checked.map_err(|p| reader.scanner.malformed(Place::File, p))?;
+    }
     table.points.shrink_to_fit();
-    Ok(table.finish())
+    Ok(Outcome::Points(table.finish()))
 }
 
 /// Walks over the rows of a table.
@@ -90,6 +136,11 @@ impl<'a> Reader<'a> {
             delimiter: Delimiter::detect(file, bytes)?,
             cells: Vec::new(),
         })
+    }
+
+    /// Tells whether a comma within a cell may be a decimal one.
+    fn may_have_commas(&self) -> bool {
+        matches!(self.delimiter, Delimiter::Byte(b';' | b'\t'))
     }
 
     /// Reads a row and takes it apart.
@@ -133,6 +184,9 @@ fn check_width(expected: usize, found: usize) -> Result<(), Problem> {
 pub(crate) fn sniff(head: &[u8]) -> bool {
     if head.contains(&0) {
         return false;
+    }
+    if asc::sniff(head) {
+        return true;
     }
     // The last line may be cut off.
     let lines = scan::without_mark(head).split(|b| b"\n\r".contains(b));
@@ -192,9 +246,9 @@ fn available(names: &[String]) -> String {
 }
 
 /// Tells whether a row names columns: those asked for, known ones, or nothing but text.
-fn is_header(cells: &[Cow<'_, [u8]>], columns: Option<&[Column; 2]>) -> bool {
+fn is_header(cells: &[Cow<'_, [u8]>], numbers: Numbers, columns: Option<&[Column; 2]>) -> bool {
     names_points(&names_of(cells), columns)
-        || cells.iter().all(|cell| scan::number(cell).is_none())
+        || cells.iter().all(|cell| numbers.read(cell).is_none())
             && cells
                 .iter()
                 .any(|cell| cell.iter().any(u8::is_ascii_alphabetic))
@@ -213,7 +267,8 @@ fn names_of(cells: &[Cow<'_, [u8]>]) -> Vec<String> {
     cells.iter().map(name).collect()
 }
 
-fn known_columns(names: &[String]) -> Option<[usize; 2]> {
+/// Finds the columns of x and y by their names.
+pub(crate) fn known_columns(names: &[String]) -> Option<[usize; 2]> {
     let find = |known: &str| names.iter().position(|n| n.eq_ignore_ascii_case(known));
     KNOWN_NAMES
         .iter()
@@ -223,6 +278,8 @@ fn known_columns(names: &[String]) -> Option<[usize; 2]> {
 /// The columns as they fill up.
 struct Table {
     width: usize,
+    numbers: Numbers,
+    thousands: Thousands,
     x: usize,
     y: usize,
     points: Vec<Point>,
@@ -244,6 +301,7 @@ impl Table {
         file: &str,
         cells: &[Cow<'_, [u8]>],
         header: Option<Vec<String>>,
+        numbers: Numbers,
         columns: Option<&[Column; 2]>,
     ) -> Result<Self, Error> {
         let width = cells.len();
@@ -251,12 +309,14 @@ impl Table {
         let names = header.unwrap_or_else(|| (0..width).map(unnamed).collect());
         let [x, y] = match columns {
             Some(columns) => choose(file, columns, &names)?,
-            None => known.unwrap_or_else(|| first_numbers(cells)),
+            None => known.unwrap_or_else(|| first_numbers(cells, numbers)),
         };
         let others = names.into_iter().enumerate();
         let others = others.filter(|&(column, _)| column != x && column != y);
         Ok(Self {
             width,
+            numbers,
+            thousands: Thousands::default(),
             x,
             y,
             points: Vec::new(),
@@ -277,14 +337,28 @@ impl Table {
         if index == node::MAX_POINTS {
             return Err(node::too_many(index + 1));
         }
-        let x = scan::coordinate(&cells[self.x], 'x', index)?;
-        let y = scan::coordinate(&cells[self.y], 'y', index)?;
+        let x = self.numbers.coordinate(&cells[self.x], 'x', index)?;
+        let y = self.numbers.coordinate(&cells[self.y], 'y', index)?;
+        if self.numbers == Numbers::Comma {
+            self.thousands.look_at(&cells[self.x]);
+            self.thousands.look_at(&cells[self.y]);
+        }
         self.points.push(Point::new(x, y));
         self.lines.push(line);
         for other in &mut self.others {
-            other.push(&cells[other.column]);
+            other.push(&cells[other.column], self.numbers);
         }
         Ok(())
+    }
+
+    /// Tells whether a coordinate of a row would be a number if its comma were understood.
+    fn has_commas(&self, cells: &[Cow<'_, [u8]>]) -> bool {
+        let is_one = |&column: &usize| {
+            cells
+                .get(column)
+                .is_some_and(|cell| has_decimal_comma(cell))
+        };
+        [self.x, self.y].iter().any(is_one)
     }
 
     fn finish(self) -> PointSet {
@@ -305,11 +379,11 @@ impl Table {
 
 impl Other {
     /// Adds a value, or gives the column up if it holds text.
-    fn push(&mut self, cell: &[u8]) {
+    fn push(&mut self, cell: &[u8], numbers: Numbers) {
         let Ok(values) = &mut self.values else {
             return;
         };
-        match scan::number(cell) {
+        match numbers.read(cell) {
             Some(value) => values.push(value),
             None if cell.is_empty() => values.push(f64::NAN),
             None => self.values = Err((values.len(), scan::show(cell))),
@@ -318,9 +392,9 @@ impl Other {
 }
 
 /// Returns the first two columns that hold numbers, or else the first two.
-fn first_numbers(cells: &[Cow<'_, [u8]>]) -> [usize; 2] {
-    let mut numbers = (0..cells.len()).filter(|&i| scan::number(&cells[i]).is_some());
-    match (numbers.next(), numbers.next()) {
+fn first_numbers(cells: &[Cow<'_, [u8]>], numbers: Numbers) -> [usize; 2] {
+    let mut found = (0..cells.len()).filter(|&i| numbers.read(&cells[i]).is_some());
+    match (found.next(), found.next()) {
         (Some(x), Some(y)) => [x, y],
         _ => [0, 1],
     }

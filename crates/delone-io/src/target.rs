@@ -4,9 +4,10 @@
 //! one of several then not get its name, those before it stay, and the error names them. The promise holds against errors, cancellation and a crash of the program; the files are not
 //! flushed to the disk, so it does not hold against a power cut.
 
+use crate::certificate::Hashing;
 use crate::memory;
 use crate::unfinished::{NotRenamed, Unfinished, persist_all};
-use crate::{Error, Format};
+use crate::{Error, FileFact, Format};
 use delone::{Phase, Watch};
 use std::ffi::OsStr;
 use std::fmt;
@@ -66,6 +67,8 @@ pub(crate) struct Staging<'a> {
     watch: &'a dyn Watch,
     rows_done: u64,
     rows_total: u64,
+    /// The hashes of the files, if they are wanted.
+    digests: Option<Vec<FileFact>>,
 }
 
 impl<'a> Staging<'a> {
@@ -77,7 +80,24 @@ impl<'a> Staging<'a> {
             watch,
             rows_done: 0,
             rows_total,
+            digests: None,
         }
+    }
+
+    /// Hashes the files that are written from now on.
+    pub fn with_digests(self) -> Self {
+        Self {
+            digests: Some(Vec::new()),
+            ..self
+        }
+    }
+
+    /// Hands out the hashes of the files since the last time.
+    pub fn take_digests(&mut self) -> Vec<FileFact> {
+        self.digests
+            .as_mut()
+            .map(std::mem::take)
+            .unwrap_or_default()
     }
 
     /// Writes one file, or standard output if `path` is `None`; `fill` makes its content.
@@ -117,8 +137,7 @@ impl<'a> Staging<'a> {
         if existing.is_some_and(|m| m.is_dir()) {
             return Err(at("write")(io::ErrorKind::IsADirectory.into()));
         }
-        // Through a symbolic link, the file it points to is replaced, not the link.
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let place = behind_links(path).map_err(at("create"))?;
         let (mut file, temporary) = Unfinished::create_beside(&place).map_err(at("create"))?;
         self.fill(&name, &mut file, fill)?;
         self.complete.push((temporary, place));
@@ -145,6 +164,23 @@ impl<'a> Staging<'a> {
         sink: &mut dyn Write,
         fill: impl FnOnce(&mut Output<'_>) -> Result<(), Error>,
     ) -> Result<(), Error> {
+        if self.digests.is_none() {
+            return self.fill_sink(file, sink, fill);
+        }
+        let mut hashing = Hashing::new(sink);
+        self.fill_sink(file, &mut hashing, fill)?;
+        if let Some(digests) = &mut self.digests {
+            digests.push(hashing.finish(file));
+        }
+        Ok(())
+    }
+
+    fn fill_sink(
+        &mut self,
+        file: &str,
+        sink: &mut dyn Write,
+        fill: impl FnOnce(&mut Output<'_>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         let mut output = Output {
             file,
             sink,
@@ -166,6 +202,26 @@ impl<'a> Staging<'a> {
         }
         persist_all(self.complete).map_err(not_renamed)?;
         Ok(self.names)
+    }
+}
+
+/// Returns what a symbolic link points to, even if that is not there yet: it is replaced, not the link.
+fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    let mut place = path.to_owned();
+    loop {
+        match fs::canonicalize(&place) {
+            Ok(known) => return Ok(known),
+            Err(error) if error.kind() != io::ErrorKind::NotFound && place.is_symlink() => {
+                // Links that point at each other, for example.
+                return Err(error);
+            }
+            Err(_) => {}
+        }
+        // Each turn follows a link at the end of the name, and a circle of them is another error.
+        match fs::read_link(&place) {
+            Ok(next) => place = place.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return Ok(place),
+        }
     }
 }
 
@@ -202,6 +258,18 @@ impl<'a> Output<'a> {
     /// Returns the name of the file, for messages.
     pub fn file(&self) -> &'a str {
         self.file
+    }
+
+    /// Fails once the watch has cancelled: for writers that collect much before they append it.
+    #[cfg_attr(
+        not(feature = "parquet"),
+        expect(dead_code, reason = "the one such writer is optional")
+    )]
+    pub fn check(&self) -> Result<(), Error> {
+        match self.watch.is_cancelled() {
+            true => Err(Error::Cancelled),
+            false => Ok(()),
+        }
     }
 
     /// Appends formatted text.

@@ -4,11 +4,14 @@
 //! a thread is deep in other work cannot wait for that: [`discard_unfinished_files`] is for it.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempPath;
+
+/// Most bytes of a name that are part of a temporary one; file systems take 255.
+const LONGEST: usize = 200;
 
 static FILES: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
@@ -94,17 +97,26 @@ fn create_beside(place: &Path) -> io::Result<(File, TempPath)> {
         _ => Path::new("."),
     };
     let mut prefix = std::ffi::OsString::from(".");
-    prefix.push(place.file_name().unwrap_or_default());
+    let name = place.file_name().unwrap_or_default();
+    if name.len() <= LONGEST {
+        prefix.push(name);
+    } else {
+        // A name that is as long as names may be leaves no room for what comes before and behind.
+        let text = name.to_string_lossy();
+        prefix.push(&text[..text.floor_char_boundary(LONGEST)]);
+    }
     prefix.push(".");
     let mut builder = tempfile::Builder::new();
     builder.prefix(&prefix).suffix(".tmp");
-    #[cfg(unix)]
-    {
-        // What the umask leaves of this is what any program would have created.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    Ok(builder.tempfile_in(directory)?.into_parts())
+    let mut reason = None;
+    let created = builder.make_in(directory, |path| {
+        // On Unix, what the umask leaves of the permissions is what any program would have created.
+        let file = OpenOptions::new().write(true).create_new(true).open(path);
+        file.inspect_err(|error| reason = error.raw_os_error())
+    });
+    // The other error tells the temporary name, which says nothing to anybody.
+    let without_name = |error| reason.map_or(error, io::Error::from_raw_os_error);
+    Ok(created.map_err(without_name)?.into_parts())
 }
 
 #[cfg(test)]

@@ -3,19 +3,23 @@
 //! *VTK File Formats*, <https://docs.vtk.org/en/latest/vtk_file_formats/index.html>. Written are the points
 //! with z = 0, the triangles, attributes as point and cell data, all arrays inline in base64 without
 //! compression; constrained edges follow as lines, with the cell data `marker` (0 for triangles) and
-//! `region` (−1 where there is none). Read are triangles, and lines as constrained edges, in inline
-//! base64 or ASCII arrays, both also with the midpoints of their edges; appended and compressed data are not. A z that is not zero everywhere becomes an attribute, as does each component of data
-//! that have several.
+//! `region` (−1 where there is none). Read are triangles, also as polygons and in strips, and lines as constrained
+//! edges, both also with the midpoints of their edges; arrays as text or bytes, inline or appended, raw or in base64, as
+//! such or compressed by zlib; LZ4 and LZMA are refused. Cells that are vertices are passed over. A z that is not zero
+//! everywhere becomes an attribute, as does each component of data that have several.
 
 mod array;
 mod cells;
+mod elements;
 mod grid;
+mod packed;
 mod read;
 mod write;
 
 pub(crate) use cells::write_cells;
+pub(crate) use grid::{Data, Grid};
 pub(crate) use read::{read_mesh, sniff};
-pub(crate) use write::write;
+pub(crate) use write::{Cell, cell, regions, write};
 
 use crate::{Problem, cancel};
 use delone::Watch;
@@ -36,7 +40,7 @@ const QUADRATIC_TRIANGLE: u8 = 22;
 const QUADRATIC_LINE: u8 = 21;
 
 /// Why reading stopped early.
-enum Stop {
+pub(crate) enum Stop {
     Problem(Problem),
     Cancelled,
 }

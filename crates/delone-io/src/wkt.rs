@@ -3,12 +3,14 @@
 //! OGC 06-103r4, *Simple feature access*, with Z, M and ZM, and PostGIS' `SRID=n;` before a geometry.
 //! A file may hold many geometries, set apart by line ends, blanks or semicolons; `#` begins a
 //! comment. Z and M become the attributes `z` and `m`. Without a tag, a third number is z, a fourth m.
-//! Curves and surfaces are not read. Collections may lie in one another to [`MAX_DEPTH`].
+//! Triangles, and those of a TIN or a polyhedral surface, are polygons; curves are refused. In place of a
+//! geometry may stand the hexadecimal digits of its [well-known binary](crate::wkb), as PostGIS prints them,
+//! also behind `\\x`. Collections may lie in one another to [`MAX_DEPTH`].
 
 mod token;
 
 use crate::shapes::{Position, Shapes};
-use crate::{DomainData, Error, Place, Problem, scan};
+use crate::{DomainData, Error, Place, Problem, scan, wkb};
 use delone::{Point, Watch};
 use token::{Stop, Text, Token};
 
@@ -16,7 +18,7 @@ use token::{Stop, Text, Token};
 const MAX_DEPTH: usize = 100;
 
 /// The kinds of geometry.
-const KINDS: [(&str, Kind); 7] = [
+const KINDS: [(&str, Kind); 10] = [
     ("POINT", Kind::Point),
     ("LINESTRING", Kind::Line),
     ("POLYGON", Kind::Polygon),
@@ -24,6 +26,18 @@ const KINDS: [(&str, Kind); 7] = [
     ("MULTILINESTRING", Kind::MultiLine),
     ("MULTIPOLYGON", Kind::MultiPolygon),
     ("GEOMETRYCOLLECTION", Kind::Collection),
+    ("TRIANGLE", Kind::Polygon),
+    ("TIN", Kind::MultiPolygon),
+    ("POLYHEDRALSURFACE", Kind::MultiPolygon),
+];
+
+/// What is known and not read.
+const CURVES: [&str; 5] = [
+    "CIRCULARSTRING",
+    "COMPOUNDCURVE",
+    "CURVEPOLYGON",
+    "MULTICURVE",
+    "MULTISURFACE",
 ];
 
 #[derive(Clone, Copy)]
@@ -79,6 +93,24 @@ fn kind(word: &[u8]) -> Option<(Kind, Tag)> {
         .find_map(|&(name, kind)| Some((kind, tag_of(name)?)))
 }
 
+/// Tells whether a word such as `CurvePolygonZ` names a curve.
+fn is_curve(word: &[u8]) -> bool {
+    let begins = |name: &&&str| {
+        let head = word.get(..name.len());
+        head.is_some_and(|h| h.eq_ignore_ascii_case(name.as_bytes()))
+    };
+    CURVES
+        .iter()
+        .find(begins)
+        .is_some_and(|name| find(&TAGS, &word[name.len()..]).is_some())
+}
+
+/// Returns the digits of a geometry in PostgreSQL's notation of bytes, `\x01…`, whose backslash is a sign.
+fn bytea(word: &[u8]) -> Option<&[u8]> {
+    let digits = word.strip_prefix(b"x")?;
+    wkb::is_hex(digits).then_some(digits)
+}
+
 /// Finds a word in a table, in any case.
 fn find<T: Copy>(table: &[(&str, T)], word: &[u8]) -> Option<T> {
     let is_word = |(name, _): &&(&str, T)| word.eq_ignore_ascii_case(name.as_bytes());
@@ -89,7 +121,13 @@ fn find<T: Copy>(table: &[(&str, T)], word: &[u8]) -> Option<T> {
 pub(crate) fn sniff(head: &[u8]) -> bool {
     let mut text = Text::new(scan::without_mark(head), &());
     match text.next() {
-        Ok(Token::Word(word)) => kind(word).is_some() || word.eq_ignore_ascii_case(b"SRID"),
+        Ok(Token::Word(word)) => {
+            kind(word).is_some() || is_curve(word) || word.eq_ignore_ascii_case(b"SRID")
+        }
+        Ok(Token::Number(word)) => wkb::is_hex(word),
+        Ok(Token::Sign(b'\\')) => {
+            matches!(text.next(), Ok(Token::Word(word)) if bytea(word).is_some())
+        }
         _ => false,
     }
 }
@@ -110,6 +148,7 @@ pub(crate) fn read_domain(
         text: Text::new(bytes, watch),
         shapes: Shapes::default(),
         positions: 0,
+        watch,
     };
     match reader.read_all() {
         Ok(0) => Err(malformed(Place::File, Problem::Empty)),
@@ -127,6 +166,7 @@ struct Reader<'a> {
     shapes: Shapes,
     /// Positions read so far, for messages.
     positions: u64,
+    watch: &'a dyn Watch,
 }
 
 impl<'a> Reader<'a> {
@@ -138,6 +178,20 @@ impl<'a> Reader<'a> {
                 Token::End => return Ok(count),
                 Token::Sign(b';') => continue,
                 Token::Word(word) if word.eq_ignore_ascii_case(b"SRID") => self.srid()?,
+                Token::Number(digits) if wkb::is_hex(digits) => {
+                    self.binary(digits)?;
+                    count += 1;
+                }
+                Token::Sign(b'\\') => {
+                    let token = self.text.next()?;
+                    let Token::Word(word) = token else {
+                        return Err(self.unexpected("x and hexadecimal digits", token));
+                    };
+                    let digits = bytea(word)
+                        .ok_or_else(|| self.unexpected("x and hexadecimal digits", token))?;
+                    self.binary(digits)?;
+                    count += 1;
+                }
                 _ => {
                     self.text.back();
                     self.geometry(0)?;
@@ -157,11 +211,35 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Reads a geometry that is written in hexadecimal digits.
+    fn binary(&mut self, digits: &[u8]) -> Result<(), Stop> {
+        let other = |text: String| Stop::Problem(Problem::Other(text));
+        let bytes = wkb::from_hex(digits)
+            .ok_or_else(|| other("an odd number of hexadecimal digits".to_owned()))?;
+        match wkb::read(&bytes, &mut self.shapes, self.watch) {
+            Ok(()) => {
+                self.shapes.end_feature(None);
+                Ok(())
+            }
+            Err(wkb::Stop::Cancelled) => Err(Stop::Cancelled),
+            Err(wkb::Stop::Problem(at, problem)) => {
+                Err(other(format!("byte {at} of the geometry: {problem}")))
+            }
+        }
+    }
+
     fn geometry(&mut self, depth: usize) -> Result<(), Stop> {
         let token = self.text.next()?;
         let Token::Word(word) = token else {
             return Err(self.unexpected("a geometry", token));
         };
+        if is_curve(word) {
+            let text = format!(
+                "{:?}: curves are not read; replace them by lines, as ST_CurveToLine does",
+                scan::show(word)
+            );
+            return Err(Problem::Other(text).into());
+        }
         let Some((kind, mut tag)) = kind(word) else {
             let known = KINDS.map(|(name, _)| name).join(", ");
             let text = format!(

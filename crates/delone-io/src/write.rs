@@ -3,6 +3,7 @@
 mod cells;
 mod files;
 mod plain;
+mod single;
 
 pub use cells::write_cells;
 pub use plain::{write_domain, write_points};
@@ -29,6 +30,8 @@ pub struct WriteOptions {
     /// Writes also the Voronoi diagram of the triangles as Triangle does, to the files of this name with
     /// `.v.node` and `.v.edge` behind it.
     pub voronoi: Option<PathBuf>,
+    /// Writes text in formats that can be text or bytes: `.ply`, `.stl`, `.vtk`.
+    pub ascii: bool,
     /// Leaves markers out, in the formats of Triangle.
     pub without_markers: bool,
     /// How pictures look.
@@ -69,6 +72,8 @@ impl Default for PictureOptions {
 /// - `.npy` writes the triangles as `int32` (m, 3), and the points beside it as `stem.points.npy`,
 ///   `float64` (n, 2 + attributes), and the caller's markers, if any, as a last column; if something
 ///   is constrained, also `stem.segments.npy`, `int32` (k, 3), the ends of the edges and their markers.
+/// - `.parquet` writes the same three tables with named columns, see the table of formats: corners `a`, `b`, `c` with
+///   region and attributes, points with attributes and marker, and segments.
 /// - `.geojson` and `.vtu` hold triangles with their regions and attributes, and constrained edges, as
 ///   lines, with their markers.
 /// - Triangles of [six nodes](MeshView::quadratic) go into `.node`, `.ele` and `.vtu`.
@@ -87,18 +92,34 @@ pub fn write_mesh(
     options: &WriteOptions,
     watch: &dyn Watch,
 ) -> Result<Vec<PathBuf>, Error> {
+    stage_mesh(targets, mesh, options, 0, false, watch)?.commit()
+}
+
+/// Writes a mesh up to the point where files get their names; `more_rows` will follow.
+pub(crate) fn stage_mesh<'w>(
+    targets: &[Target],
+    mesh: &MeshView<'_>,
+    options: &WriteOptions,
+    more_rows: u64,
+    with_digests: bool,
+    watch: &'w dyn Watch,
+) -> Result<Staging<'w>, Error> {
     mesh.validate()?;
     let files = files::of_mesh(targets, mesh, options)?;
     let prepared = Prepared::new(mesh, &files, watch)?;
     let edges = prepared.topology.as_ref().map_or(0, |t| t.edges.len());
     let rows = |f: &OutFile| f.content.rows(mesh, edges);
-    let mut staging = Staging::new(files.iter().map(rows).sum(), watch);
+    let rows: u64 = files.iter().map(rows).sum();
+    let mut staging = Staging::new(rows + more_rows, watch);
+    if with_digests {
+        staging = staging.with_digests();
+    }
     for OutFile { path, content } in &files {
         staging.write(path.as_deref(), |out| {
             prepared.write(out, *content, options, watch)
         })?;
     }
-    staging.commit()
+    Ok(staging)
 }
 
 /// A mesh with all that its files need to know beyond it.
@@ -185,6 +206,17 @@ impl<'a> Prepared<'a> {
             Content::NpySegments => npy::write_segments(out, mesh, &edge_markers.constrained),
             Content::GeoJson => geojson::write_mesh(out, mesh, &edge_markers.constrained),
             Content::Vtu => vtu::write(out, nodes, &edge_markers.constrained),
+            #[cfg(feature = "parquet")]
+            Content::ParquetTriangles => crate::parquet::write_triangles(out, mesh),
+            #[cfg(feature = "parquet")]
+            Content::ParquetPoints => crate::parquet::write_points(out, mesh),
+            #[cfg(feature = "parquet")]
+            Content::ParquetSegments => {
+                crate::parquet::write_segments(out, mesh, &edge_markers.constrained)
+            }
+            Content::Single(format) => {
+                single::write(out, format, nodes, &edge_markers.constrained, options)
+            }
             Content::Svg => svg::write(out, mesh, &options.picture, watch),
             Content::Png => png::write(out, mesh, &options.picture, watch),
         }

@@ -299,7 +299,7 @@ fn formats_that_cannot_hold_segments_say_so() {
     };
     let error = write("a.csv", &square()).expect_err("segments").to_string();
     assert!(
-        error.contains("use one of poly, geojson, svg, png"),
+        error.contains("format csv cannot hold segments; use one of poly, geojson, vtu"),
         "{error}"
     );
     let error = write("a.geojson", &square())

@@ -316,3 +316,34 @@ fn reading_can_be_cancelled() {
         assert!(matches!(outcome, Err(Error::Cancelled)), "{name}");
     }
 }
+
+/// Found by breaking files: faces of two corners, in `.obj`, are polygons of two segments.
+#[test]
+fn a_polygon_of_two_segments_goes_into_geojson_as_lines() {
+    let ids = |rows: &[[usize; 2]]| {
+        rows.iter()
+            .map(|row| row.map(delone::VertexId::new))
+            .collect()
+    };
+    let domain = delone_io::DomainData {
+        segments: ids(&[[0, 1], [1, 0], [0, 1], [1, 2], [2, 0]]),
+        polygons: vec![0..2, 2..5],
+        ..delone_io::DomainData::from(delone_io::PointSet {
+            points: [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+                .map(delone::Point::from)
+                .to_vec(),
+            ..Default::default()
+        })
+    };
+    let targets = [delone_io::Target::from_arg("f.geojson", None)];
+    let options = delone_io::WriteOptions::default();
+    let write = || delone_io::write_domain(&targets, &domain, &options, &());
+    let (_, files) = delone_io::in_memory(write).expect("written");
+    let source = delone_io::Source::Memory {
+        name: "f.geojson".to_owned(),
+        bytes: files[0].bytes.clone(),
+    };
+    let read = delone_io::read_domain(&source, &Default::default(), &()).expect("read");
+    assert_eq!(read.segments.len(), 5);
+    assert_eq!(read.polygons.len(), 1);
+}

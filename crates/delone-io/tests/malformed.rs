@@ -199,8 +199,47 @@ const TABLE: &[(&str, &str, &str)] = &[
     ),
     (
         "a.geojson",
-        "[]",
-        "invalid type: sequence, expected an object",
+        "[{}]",
+        "a.geojson:1:3: invalid type: map, expected a number or an array of numbers",
+    ),
+    (
+        "a.json",
+        "[[1, 2], [[3, 4]]]",
+        "positions and rings in one array",
+    ),
+    (
+        "a.json",
+        "[[1, 2],\n[3]]",
+        "a position of one number; it needs two",
+    ),
+    (
+        "a.json",
+        "[1, 2, 3]",
+        "an odd number of coordinates: the last x has no y",
+    ),
+    (
+        "a.json",
+        "[[[[1, 2]]]]",
+        "arrays within arrays, deeper than those of one polygon",
+    ),
+    ("a.json", "[[[1, 2], 3]]", "numbers and arrays in one array"),
+    ("a.json", "[[1, 2], [3, 1e400]]", "number out of range"),
+    ("a.json", "[[1, 2]", "EOF while parsing"),
+    ("a.json", "[[1, 2]] 3", "trailing characters"),
+    (
+        "a.csv",
+        "x;y\n1,5;2,5\n1.5;2\n",
+        "a.csv:3: x is not a number: \"1.5\"",
+    ),
+    (
+        "a.csv",
+        "1,234;567\n2,345;678\n",
+        "a.csv: commas in the coordinates may be decimal ones or set thousands apart",
+    ),
+    (
+        "a.csv",
+        "x;y\n1,5;2,5\n1,2,3;4\n",
+        "a.csv:3: x is not a number: \"1,2,3\"",
     ),
     ("a.geojson", "null", "null where an object should be"),
     ("a.geojson", "{}", "an object without the member \"type\""),
@@ -308,7 +347,27 @@ const TABLE: &[(&str, &str, &str)] = &[
     (
         "a.wkt",
         "CIRCULARSTRING (0 0, 1 1, 2 0)",
-        "\"CIRCULARSTRING\" is not understood; known are POINT",
+        "a.wkt:1:1: \"CIRCULARSTRING\": curves are not read; replace them by lines",
+    ),
+    (
+        "a.wkt",
+        "BRIDGE (0 0, 1 1, 2 0)",
+        "\"BRIDGE\" is not understood; known are POINT",
+    ),
+    (
+        "a.wkt",
+        "POINT (1 2)\n0101000000000000000000F03F0000000000\n",
+        "a.wkt:2:1: byte 5 of the geometry: truncated: the geometry ends too early",
+    ),
+    (
+        "a.wkt",
+        "010100000000000",
+        "a.wkt:1:1: an odd number of hexadecimal digits",
+    ),
+    (
+        "a.wkt",
+        "\\y0101",
+        "a.wkt:1:2: expected x and hexadecimal digits, found \"y0101\"",
     ),
     (
         "a.wkt",
@@ -487,11 +546,21 @@ fn with_data(kind: &str, values: &str) -> Result<PointSet, Error> {
 
 /// What is changed in two triangles of VTK, into what, and what the error must say.
 const DAMAGED_VTU: &[(&str, &str, &str)] = &[
-    ("ascii", "appended", "format appended: only inline"),
+    ("ascii", "appended", "offset is not a number: \"\""),
+    (
+        "ascii",
+        "appended\" offset=\"0",
+        "is appended, but there are no appended data",
+    ),
+    (
+        "ascii",
+        "other",
+        "is in format other: only ascii, binary and appended",
+    ),
     (
         "ascii\">3 6",
         "appended\"/>",
-        "offsets\" is in format appended",
+        "offset is not a number: \"\"",
     ),
     (
         "Points=\"4\"",

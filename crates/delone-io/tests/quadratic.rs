@@ -245,7 +245,7 @@ fn formats_without_six_nodes_say_so() {
         let error = write_mesh(&targets, &view, &WriteOptions::default(), &());
         let error = error.expect_err(name).to_string();
         let expected = format!(
-            "format {format} cannot hold triangles of six nodes; use one of node, ele, vtu"
+            "format {format} cannot hold triangles of six nodes; use one of node, ele, edge"
         );
         assert!(error.contains(&expected), "{error}");
     }

@@ -26,7 +26,7 @@ impl Row {
         Self {
             extension: format.name(),
             extensions: format.extensions().to_vec(),
-            what: what(format),
+            what: format.about(),
             reads: format.reads_points(),
             drawing: format.writes_segments(),
             points: format.writes_segments() || format.writes_points(),
@@ -66,29 +66,12 @@ impl Row {
 /// its report have `save`, `saveCells` and `saveReport`.
 #[wasm_bindgen]
 pub fn formats() -> String {
-    let files = Format::ALL.into_iter().map(Row::of);
+    let files = Format::ALL
+        .into_iter()
+        .filter(|f| f.is_built())
+        .map(Row::of);
     let logs = LogFormat::ALL.into_iter().map(Row::of_log);
     json::write(&files.chain(logs).collect::<Vec<_>>())
-}
-
-fn what(format: Format) -> &'static str {
-    match format {
-        Format::Node => "Triangle: points",
-        Format::Ele => "Triangle: mesh, with its .node",
-        Format::Edge => "Triangle: edges of a mesh, with its .node",
-        Format::Neigh => "Triangle: neighbours of triangles, with its .ele",
-        Format::Poly => "Triangle: points, segments, holes and regions",
-        Format::Npy => "NumPy: arrays",
-        Format::Table => "table: columns of text",
-        Format::GeoJson => "GeoJSON: points, lines and polygons",
-        Format::Wkt => "well-known text: points, lines and polygons",
-        Format::Vtu => "VTK: mesh for ParaView",
-        Format::Svg => "picture of lines and areas",
-        Format::Png => "picture of pixels",
-        Format::Gif => "moving picture",
-        Format::Html => "report as a page",
-        _ => "",
-    }
 }
 
 #[cfg(test)]
@@ -110,7 +93,10 @@ mod tests {
         let mesh = Mesh::refine(&lake, None, None).expect("a mesh");
         let player = Player::run("incremental", &bare, None, None).expect("a run");
         bare.edit(r#"[{"addPoint": [9, 9]}]"#).expect("an edit");
-        let rows = Format::ALL.into_iter().map(Row::of);
+        let rows = Format::ALL
+            .into_iter()
+            .filter(|f| f.is_built())
+            .map(Row::of);
         for row in rows.chain(LogFormat::ALL.map(Row::of_log)) {
             assert!(!row.what.is_empty());
             let name = format!("a.{}", row.extension);

@@ -76,6 +76,7 @@
 //! - [`edit::LiveTriangulation`]: vertices and constraints that come, go and move, with transactions.
 //! - [`Pslg`], [`ConstrainedDelaunay`]: a domain; [`ConstrainedTriangulation`]: its triangles and
 //!   constrained edges, the regions, and the lineage of vertices and segments.
+//! - [`doctor`]: what is wrong with a drawing, and its repair within a stated tolerance.
 //! - [`Triangulation`]: the result, with triangles, neighbours, edges, hull and merged points;
 //!   [`mesh`]: its half-edges.
 //! - [`Refinement`]: from a domain to a [`RefinedMesh`] of the [`Quality`] asked for, and its [`Report`];
@@ -104,6 +105,7 @@ pub mod classic;
 mod clock;
 mod constrained;
 pub mod delaunay;
+pub mod doctor;
 pub mod edit;
 mod error;
 mod hash;
@@ -140,7 +142,8 @@ pub use observe::{
 pub use parallel::on_threads;
 pub use point::Point;
 pub use pslg::{
-    DomainRule, Facts, Listed, Pslg, Region, Ring, SegmentCrossing, SegmentPolicy, VertexOnSegment,
+    DomainRule, Facts, Listed, Pslg, PslgHash, Region, Ring, SegmentCrossing, SegmentPolicy,
+    VertexOnSegment,
 };
 pub use quality::{Angle, Broken, Locked, Quality};
 pub use refine::{

@@ -88,6 +88,20 @@ const ROOMS: &[(&str, &[&str])] = &[
             "order",
         ],
     ),
+    // Seeds are asked of the domain as triangulation finds it.
+    (
+        "doctor",
+        &[
+            "point",
+            "mesh::VertexId",
+            "predicates",
+            "pslg",
+            "constrained",
+            "error",
+            "watch",
+            "parallel",
+        ],
+    ),
     ("quality", &["error"]),
     (
         "observe",
@@ -313,10 +327,12 @@ const ROOMS: &[(&str, &[&str])] = &[
 /// Foreign crates, each with the only rooms that may use it.
 const FOREIGN: &[(&str, &[&str])] = &[
     ("num_bigint", &["predicates"]),
-    ("xxhash_rust", &["hash"]),
+    // A drawing has a name of its own, as a set of triangles has.
+    ("xxhash_rust", &["hash", "pslg"]),
     ("rayon", &["parallel"]),
     ("libc", &["memory"]),
-    ("libm", &["refine"]),
+    // Bounds in degrees become numbers that are the same on every machine.
+    ("libm", &["refine", "check"]),
     // What is wrong with an edit names constraints, which the ground floor does not know.
     (
         "thiserror",
@@ -350,6 +366,7 @@ const CRATES: &[(&str, &[&str])] = &[
         &["delone", "delone-io", "delone-samples", "delone-testkit"],
     ),
     ("delone-testkit", &["delone"]),
+    ("delone-filekit", &["delone", "delone-io"]),
 ];
 
 fn allowed(table: &[(&str, &'static [&str])], name: &str) -> Option<&'static [&'static str]> {

@@ -136,7 +136,7 @@ impl Given {
         takes: Takes,
         progress: &Progress,
     ) -> Result<(Input<'w>, DomainRule, Numbering), Failure> {
-        if takes == Takes::Triangulation && file.brings_triangles() {
+        if takes == Takes::Triangulation && file.brings_triangles(progress)? {
             let mesh = file.mesh(progress)?;
             let numbering = Numbering::of_points(&file.name(), &mesh.vertices);
             let mut input = Input::from_points(mesh.vertices.points);

@@ -26,6 +26,7 @@ pub struct Report {
     proven: &'static [&'static str],
     domain: Option<Domain>,
     bounds: Option<Shortfall>,
+    certificate: Option<Agreement>,
     defects: Listed,
     quality: Option<Shapes>,
     seconds: Seconds,
@@ -57,6 +58,34 @@ struct Domain {
     holes: Option<usize>,
 }
 
+/// Whether a certificate holds.
+#[derive(Serialize)]
+struct Agreement {
+    file: String,
+    holds: bool,
+    disagreements: Vec<String>,
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.holds {
+            return write!(f, "{} holds: every statement was found anew", self.file);
+        }
+        write!(f, "{} does NOT hold:", self.file)?;
+        let words = self.disagreements.iter();
+        words
+            .take(MOST_SHOWN)
+            .try_for_each(|words| write!(f, "\n  - {words}"))?;
+        match self.disagreements.len().saturating_sub(MOST_SHOWN) {
+            0 => Ok(()),
+            more => write!(f, "\n  and {more} more"),
+        }
+    }
+}
+
+/// Most disagreements with a certificate that people are shown.
+const MOST_SHOWN: usize = 16;
+
 /// Defects: how many, and some of them in words.
 #[derive(Default, Serialize)]
 struct Listed {
@@ -86,13 +115,14 @@ impl Report {
     pub fn new(
         source: &Source,
         mesh: &MeshData,
-        verdict: Verdict,
+        verdict: impl Into<Option<Verdict>>,
         absences: Absences,
         seconds: [Duration; 2],
     ) -> Self {
-        let (certificate, mut defects) = match verdict {
-            Verdict::Right(certificate) => (Some(certificate), Listed::default()),
-            Verdict::Wrong(defects) => (None, Listed::from(&defects)),
+        let (certificate, mut defects) = match verdict.into() {
+            Some(Verdict::Right(certificate)) => (Some(certificate), Listed::default()),
+            Some(Verdict::Wrong(defects)) => (None, Listed::from(&defects)),
+            None => (None, Listed::default()),
         };
         defects.total += absences.total;
         defects.listed.extend(absences.listed);
@@ -112,6 +142,7 @@ impl Report {
             proven: certificate.map_or(&[], |c| proven(&c)),
             domain: None,
             bounds: None,
+            certificate: None,
             defects,
             quality: certificate.and_then(|_| Shapes::of(mesh)),
             seconds: Seconds { read, check },
@@ -123,17 +154,43 @@ impl Report {
         }
     }
 
+    /// Says that nothing is proven, and why.
+    pub fn unproven(
+        source: &Source,
+        mesh: &MeshData,
+        words: Vec<String>,
+        seconds: [Duration; 2],
+    ) -> Self {
+        let absences = Absences {
+            total: words.len(),
+            listed: words,
+        };
+        Self::new(source, mesh, None, absences, seconds)
+    }
+
     /// Says that the mesh was checked against a domain, as it is or refined.
-    pub fn against(mut self, drawing: &Drawing, is_refined: bool) -> Self {
+    pub fn against(self, drawing: &Drawing, is_refined: bool) -> Self {
+        let (file, rule) = (drawing.file.clone(), drawing.rule.to_string());
+        self.against_file(file, rule, drawing.is_one_based, is_refined)
+    }
+
+    /// Says that the mesh was checked against the domain of a file.
+    pub fn against_file(
+        mut self,
+        file: String,
+        rule: String,
+        is_one_based: bool,
+        is_refined: bool,
+    ) -> Self {
         if self.right && is_refined {
             self.proven = &DomainNumbers::PROVEN_REFINED;
         }
         self.is_refined = is_refined;
-        self.one_based |= drawing.is_one_based;
+        self.one_based |= is_one_based;
         let numbers = self.numbers.as_ref();
         self.domain = Some(Domain {
-            file: drawing.file.clone(),
-            rule: drawing.rule.to_string(),
+            file,
+            rule,
             added: numbers.map(|n| n.added),
             steiner: numbers.map(|n| n.on_segments + n.free),
             steiner_on_segments: numbers.map(|n| n.on_segments),
@@ -150,9 +207,31 @@ impl Report {
         Self { bounds, ..self }
     }
 
+    /// Says how long reading and checking took.
+    pub fn taken(self, seconds: [Duration; 2]) -> Self {
+        let [read, check] = seconds.map(|s| s.as_secs_f64());
+        Self {
+            seconds: Seconds { read, check },
+            ..self
+        }
+    }
+
+    /// Says where a certificate disagrees with what was found.
+    pub fn certified(self, file: String, disagreements: Vec<String>) -> Self {
+        Self {
+            certificate: Some(Agreement {
+                file,
+                holds: disagreements.is_empty(),
+                disagreements,
+            }),
+            ..self
+        }
+    }
+
     /// Tells whether nothing is wrong, and nothing is missing without an excuse.
     pub fn is_passed(&self) -> bool {
-        self.right && self.bounds.as_ref().is_none_or(Shortfall::is_met)
+        let holds = self.certificate.as_ref().is_none_or(|c| c.holds);
+        self.right && holds && self.bounds.as_ref().is_none_or(Shortfall::is_met)
     }
 
     /// Writes the JSON object, on one line.
@@ -202,6 +281,7 @@ impl Report {
         for clause in self.proven {
             writeln!(f, "  - {clause}")?;
         }
+        self.write_agreement(f)?;
         self.write_effort(f)
     }
 
@@ -226,7 +306,13 @@ impl Report {
                 "  (It has segments: --domain FILE checks it against what was drawn.)"
             )?;
         }
+        self.write_agreement(f)?;
         self.write_effort(f)
+    }
+
+    fn write_agreement(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let agreement = self.certificate.as_ref();
+        agreement.map_or(Ok(()), |agreement| writeln!(f, "  {agreement}"))
     }
 
     /// Warns of numbers that are not those of the file.

@@ -35,6 +35,8 @@ pub enum Content {
     Contours,
     /// A picture of a surface, besides something else.
     Relief,
+    /// Troubles of a drawing, on its picture or as features, besides something else.
+    Troubles,
 }
 
 impl Content {
@@ -54,6 +56,7 @@ impl Content {
             Self::Raster => format.writes_raster(),
             Self::Contours => format.writes_contours(),
             Self::Relief => format.is_picture(),
+            Self::Troubles => format.is_picture() || format == Format::GeoJson,
         }
     }
 
@@ -73,6 +76,7 @@ impl Content {
             Self::Raster => "a raster",
             Self::Contours => "contour lines",
             Self::Relief => "a picture",
+            Self::Troubles => "troubles",
         }
     }
 
@@ -80,7 +84,7 @@ impl Content {
     pub(super) fn is_aside(self) -> bool {
         matches!(
             self,
-            Self::Report | Self::Diagram | Self::Sites | Self::Relief
+            Self::Report | Self::Diagram | Self::Sites | Self::Relief | Self::Troubles
         )
     }
 

@@ -40,8 +40,13 @@ pub fn members(output: &Path, format: Format, content: Content) -> Vec<Member> {
             // This one, and the .poly below, only if there are segments.
             sibling("segments.npy", Part::Edges),
         ],
+        (Format::Parquet, Content::Mesh) => vec![
+            whole(Part::Corners),
+            sibling("points.parquet", Part::Coordinates),
+            sibling("segments.parquet", Part::Edges),
+        ],
         (_, Content::Sites) => vec![whole(Part::Sites)],
-        (Format::Npy, _) => vec![whole(Part::Coordinates)],
+        (Format::Npy | Format::Parquet, _) => vec![whole(Part::Coordinates)],
         (
             Format::Node | Format::Ele | Format::Edge | Format::Neigh | Format::Poly,
             Content::Mesh | Content::QuadraticMesh,
@@ -78,7 +83,7 @@ fn member(output: &Path, name: PathBuf, part: Part) -> Member {
 }
 
 /// Returns the one true name of a file that exists or might; `None` for devices and pipes.
-fn place(path: &Path) -> Option<PathBuf> {
+pub fn place(path: &Path) -> Option<PathBuf> {
     match path.metadata() {
         Ok(known) if !known.is_file() && !known.is_dir() => None,
         Ok(_) => path.canonicalize().ok(),
@@ -93,6 +98,11 @@ fn place(path: &Path) -> Option<PathBuf> {
 }
 
 impl Member {
+    /// Returns the output that the file belongs to, its name, and its one true name if it has one.
+    pub fn names(&self) -> (&Path, &Path, Option<&Path>) {
+        (&self.output, &self.name, self.place.as_deref())
+    }
+
     /// Requires that the file can be made: its folder is there, and it is none itself.
     pub fn require_writable(&self) -> Result<(), Failure> {
         let name = self.name.display();

@@ -1,21 +1,18 @@
 //! Inputs as the command line names them, and what of them is left unused.
 
-use super::unreadable;
+use super::head::{head, holds_corners, in_hand, names_no_points};
+use super::notes::notes;
+use super::{region, unreadable};
 use crate::exit::Failure;
 use crate::progress::Progress;
 use crate::refinable::Refinable;
-use delone_io::{
-    Column, DomainData, Error, Format, LeftOut, MeshData, PointSet, ReadOptions, Source,
-};
-use std::fs::File;
-use std::io::{self, Read};
+use crate::{voice, words};
+use delone_io::{Column, DomainData, Format, MeshData, PointSet, ReadOptions, Returns, Source};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// Bytes of a file that betray its format.
-const HEAD: u64 = 4096;
-
 /// Options about inputs.
-#[derive(clap::Args, Default)]
+#[derive(clap::Args, Clone, Default, PartialEq)]
 #[command(next_help_heading = "Files")]
 pub struct Reading {
     /// Columns of x and y in a table: their names, or their places counted from 1
@@ -24,6 +21,60 @@ pub struct Reading {
     /// Format of the input, whatever its name and content say: poly, geojson, wkt, node, csv …
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
+    /// Classes of the points to take from a .las or .laz, as in 2 or 2,9 (2 ground, 6 buildings, 9 water)
+    #[arg(long = "class", value_name = "CLASSES", value_delimiter = ',')]
+    classes: Vec<u8>,
+    /// Returns of a laser's pulse to take from a .las or .laz
+    #[arg(long = "return", value_name = "WHICH", value_enum, default_value_t)]
+    returns: Return,
+    /// Farthest that a curve of a .dxf or .svg may be from the lines that replace it, in units of the
+    /// drawing [default: a thousandth of the curve's size]
+    #[arg(long, value_name = "LENGTH", value_parser = flatness)]
+    flatness: Option<f64>,
+    /// Regions to take from a mesh, as in 2 or 1,3: their triangles alone, by the attribute `region`
+    #[arg(
+        long = "region",
+        value_name = "REGIONS",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    regions: Vec<f64>,
+    /// Layers to take from a .dxf; their names, set apart by commas
+    #[arg(long = "layer", value_name = "LAYERS", value_delimiter = ',')]
+    layers: Vec<String>,
+}
+
+/// Which returns of a laser's pulse are taken.
+#[derive(Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Return {
+    /// Every one
+    #[default]
+    All,
+    /// The first of each pulse
+    First,
+    /// The last of each pulse
+    Last,
+    /// The only one of its pulse
+    Single,
+}
+
+impl From<Return> for Returns {
+    fn from(wanted: Return) -> Self {
+        match wanted {
+            Return::All => Self::All,
+            Return::First => Self::First,
+            Return::Last => Self::Last,
+            Return::Single => Self::Single,
+        }
+    }
+}
+
+fn flatness(text: &str) -> Result<f64, String> {
+    let length = text
+        .parse()
+        .ok()
+        .filter(|l: &f64| l.is_finite() && *l > 0.0);
+    length.ok_or_else(|| format!("{text:?} is not a positive length"))
 }
 
 fn columns(text: &str) -> Result<[Column; 2], String> {
@@ -48,40 +99,45 @@ impl Reading {
         delone_io::read_domain(source, &self.options(), progress).map_err(unreadable)
     }
 
-    /// Reads points and triangles.
-    pub fn mesh(&self, source: &Source, progress: &Progress) -> Result<MeshData, Failure> {
-        delone_io::read_mesh(source, &self.options(), progress).map_err(unreadable)
-    }
-
     /// Opens an input: from now on its format is known, if name or content tell it.
     ///
     /// A stream can be read but once, so one that has to be looked at is taken into memory.
     pub fn open(&self, arg: &Path) -> Result<Input, Failure> {
-        let named = |source: &Source| match source {
-            Source::Path(path) => Format::from_path(path),
-            _ => None,
-        };
         let source = Source::from_arg(arg);
-        match self.from.or_else(|| named(&source)) {
-            Some(format) => Ok(Input::new(source, Some(format), self.options())),
-            None => {
+        let (source, format, why) = match (self.from, &source) {
+            (Some(format), _) => (source, Some(format), "as --from says"),
+            (None, Source::Path(path)) if Format::from_path(path).is_some() => {
+                let format = Format::detect(Some(path), &head(&source));
+                let why = match format == Format::from_path(path) {
+                    true => "as its name says",
+                    false => "by its name and content",
+                };
+                (source, format, why)
+            }
+            _ => {
                 let source = in_hand(source)?;
                 let format = Format::sniff(&head(&source));
-                Ok(Input::new(source, format, self.options()))
+                (source, format, "by its content")
             }
+        };
+        if let Some(format) = format.filter(|_| voice::is_verbose()) {
+            voice::say(&format!("{source}: {format}, {why}"));
         }
+        let input = Input::new(source, format, self.options());
+        Ok(input.of_regions(self.regions.clone()))
     }
 
     /// Tells whether any of the options was given.
     pub fn is_given(&self) -> bool {
-        self.columns.is_some() || self.from.is_some()
+        *self != Self::default()
     }
 
     /// Returns the options for a second input, which has a format of its own.
     pub fn of_another_file(&self) -> Self {
         Self {
-            columns: self.columns.clone(),
             from: None,
+            regions: Vec::new(),
+            ..self.clone()
         }
     }
 
@@ -89,45 +145,11 @@ impl Reading {
         ReadOptions {
             format: self.from,
             columns: self.columns.clone(),
+            classes: self.classes.clone(),
+            returns: self.returns.into(),
+            flatness: self.flatness,
+            layers: self.layers.clone(),
         }
-    }
-}
-
-/// Takes standard input, a pipe or a device into memory; a file stays where it is.
-pub fn in_hand(source: Source) -> Result<Source, Failure> {
-    let mut bytes = Vec::new();
-    let read = match &source {
-        Source::Stdin => io::stdin().lock().read_to_end(&mut bytes),
-        Source::Path(path) if is_stream(path) => {
-            File::open(path).and_then(|mut file| file.read_to_end(&mut bytes))
-        }
-        _ => return Ok(source),
-    };
-    let name = source.to_string();
-    match read {
-        Ok(_) => Ok(Source::Memory { name, bytes }),
-        Err(source) => Err(unreadable(Error::Io {
-            action: "read",
-            file: name,
-            source,
-        })),
-    }
-}
-
-fn is_stream(path: &Path) -> bool {
-    path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir())
-}
-
-/// Returns the first bytes; none if there are none to be had, which the reader will explain.
-pub fn head(source: &Source) -> Vec<u8> {
-    match source {
-        Source::Memory { bytes, .. } => bytes[..bytes.len().min(HEAD as usize)].to_vec(),
-        Source::Path(path) if path.is_file() => {
-            let mut bytes = Vec::new();
-            let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut bytes));
-            read.map_or_else(|_| Vec::new(), |_| bytes)
-        }
-        _ => Vec::new(),
     }
 }
 
@@ -138,6 +160,10 @@ pub struct Input {
     options: ReadOptions,
     /// Whether an array holds the corners of triangles, whose points stand beside it.
     holds_corners: bool,
+    /// The regions of a mesh that are taken; none means all.
+    regions: Vec<f64>,
+    /// What a file holds that had to be read to know whether there are triangles in it.
+    held: RefCell<Option<MeshData>>,
 }
 
 impl Input {
@@ -148,12 +174,17 @@ impl Input {
             format,
             options,
             holds_corners: false,
+            regions: Vec::new(),
+            held: RefCell::default(),
         };
         // Who names columns means the numbers in this very array.
-        input.holds_corners = format == Some(Format::Npy)
-            && input.options.columns.is_none()
-            && input.beside("points.npy").is_some()
-            && holds_corners(&head(&input.source));
+        let is_alone = |points| input.beside(points).is_none();
+        input.holds_corners = input.options.columns.is_none()
+            && match format {
+                Some(Format::Npy) => !is_alone("points.npy") && holds_corners(&head(&input.source)),
+                Some(Format::Parquet) => !is_alone("points.parquet"),
+                _ => false,
+            };
         input
     }
 
@@ -162,24 +193,52 @@ impl Input {
         self.source.to_string()
     }
 
-    /// Tells whether the input brings triangles, in itself or in a file beside it.
-    pub fn brings_triangles(&self) -> bool {
+    /// Takes of a mesh some regions alone.
+    fn of_regions(self, regions: Vec<f64>) -> Self {
+        Self { regions, ..self }
+    }
+
+    /// Tells whether only the content says if there are triangles, lines or just points.
+    fn must_be_looked_into(&self) -> bool {
+        use Format::{Ele, Node, Npy, Parquet};
+        self.format
+            .is_some_and(|f| f.reads_mesh() && !matches!(f, Node | Ele | Npy | Parquet))
+    }
+
+    /// Asks the content; it is kept for whoever reads it next.
+    fn look<T>(&self, progress: &Progress, at: impl Fn(&MeshData) -> T) -> Result<T, Failure> {
+        if let Some(mesh) = &*self.held.borrow() {
+            return Ok(at(mesh));
+        }
+        let mesh = self.read_mesh(progress)?;
+        let seen = at(&mesh);
+        self.held.replace(Some(mesh));
+        Ok(seen)
+    }
+
+    /// Tells whether the input brings triangles, in itself or in a file beside it. Some formats hold triangles, lines
+    /// or points, and have to be read for that.
+    pub fn brings_triangles(&self, progress: &Progress) -> Result<bool, Failure> {
         match self.format {
-            Some(Format::Ele | Format::Vtu) => true,
-            Some(Format::Node) => self.beside("ele").is_some(),
-            Some(Format::Npy) => self.holds_corners,
-            _ => false,
+            _ if self.must_be_looked_into() => self.look(progress, |m| !m.triangles.is_empty()),
+            Some(Format::Ele) => Ok(true),
+            Some(Format::Node) => Ok(self.beside("ele").is_some()),
+            Some(Format::Npy | Format::Parquet) => Ok(self.holds_corners),
+            _ => Ok(false),
         }
     }
 
     /// Tells whether the input is itself a mesh, and does not just stand beside one.
-    fn is_mesh(&self) -> bool {
-        self.format != Some(Format::Node) && self.brings_triangles()
+    fn is_mesh(&self, progress: &Progress) -> Result<bool, Failure> {
+        Ok(self.format != Some(Format::Node) && self.brings_triangles(progress)?)
     }
 
     /// Tells whether the input may bring segments.
-    pub fn brings_segments(&self) -> bool {
-        self.format.is_some_and(Format::reads_segments)
+    pub fn brings_segments(&self, progress: &Progress) -> Result<bool, Failure> {
+        if self.must_be_looked_into() {
+            return self.look(progress, has_segments);
+        }
+        Ok(self.format.is_some_and(Format::reads_segments))
     }
 
     /// Returns the files that are read, those beside it included.
@@ -192,6 +251,8 @@ impl Input {
             Some(Format::Ele) => &["node", "poly"],
             Some(Format::Poly) if names_no_points(&head(&self.source)) => &["node"],
             Some(Format::Npy) if self.holds_corners => &["points.npy", "segments.npy"],
+            Some(Format::Parquet) if self.holds_corners => &["points.parquet", "segments.parquet"],
+            Some(Format::Shp) => &["dbf"],
             _ => &[],
         };
         let siblings = siblings.iter().filter_map(|s| self.beside(s));
@@ -200,8 +261,14 @@ impl Input {
 
     /// Reads the points, and says in words what is left unused of the rest.
     pub fn points(&self, progress: &Progress) -> Result<(PointSet, Vec<String>), Failure> {
-        let (set, mut unused) = match (self.format, self.beside("points.npy")) {
-            (Some(Format::Vtu), _) => self.points_of_mesh(progress)?,
+        let points = match self.format {
+            Some(Format::Parquet) => self.beside("points.parquet"),
+            _ => self.beside("points.npy"),
+        };
+        let (set, mut unused) = match (self.format, points) {
+            _ if self.must_be_looked_into() || !self.regions.is_empty() => {
+                self.points_of_mesh(progress)?
+            }
             (_, Some(points)) if self.holds_corners => {
                 let unused = format!("only the points in {} are used", points.display());
                 (self.read(&Source::Path(points), progress)?, vec![unused])
@@ -209,29 +276,44 @@ impl Input {
             (format, _) => {
                 let unused = match format {
                     Some(format) if format.reads_segments() => {
-                        Some("only the points are used, segments and holes are not")
+                        Some("only the points are used, segments and holes are not".to_owned())
                     }
-                    Some(Format::Ele) => Some("only the points in the .node file are used"),
+                    Some(Format::Ele) => Some(match self.beside("poly") {
+                        Some(graph) => format!(
+                            "only the points in the .node file are used, the segments in {} are not",
+                            graph.display()
+                        ),
+                        None => "only the points in the .node file are used".to_owned(),
+                    }),
                     _ => None,
                 };
-                let unused = unused.map(str::to_owned).into_iter().collect();
+                let unused = unused.into_iter().collect();
                 (self.read(&self.source, progress)?, unused)
             }
         };
-        unused.extend(columns_left_out(&set));
+        unused.extend(notes(&set));
+        progress.detail(|| format!("{}: {}", self.name(), words::points(&set)));
         Ok((set, self.named(unused)))
     }
 
     /// Reads the points with what the input says about segments, and says in words what is left
     /// unused of the rest.
     pub fn domain(&self, progress: &Progress) -> Result<(DomainData, Vec<String>), Failure> {
-        if self.brings_triangles() {
+        if self.brings_triangles(progress)? || !self.regions.is_empty() {
             let (points, unused) = self.points(progress)?;
             return Ok((points.into(), unused));
         }
-        let domain = delone_io::read_domain(&self.source, &self.options, progress);
-        let domain = domain.map_err(unreadable)?;
-        let unused = columns_left_out(&domain.vertices).into_iter().collect();
+        let held = self.held.take();
+        let domain = match held {
+            // What bounds the parts of one of these is not known to a mesh.
+            Some(mesh) if self.format != Some(Format::Jigsaw) => mesh.into(),
+            _ => {
+                let domain = delone_io::read_domain(&self.source, &self.options, progress);
+                domain.map_err(unreadable)?
+            }
+        };
+        let unused = notes(&domain.vertices);
+        progress.detail(|| format!("{}: {}", self.name(), words::read(&domain)));
         Ok((domain, self.named(unused)))
     }
 
@@ -242,23 +324,28 @@ impl Input {
         takes_areas: bool,
         progress: &Progress,
     ) -> Result<(Refinable, Vec<String>), Failure> {
-        if !self.is_mesh() {
+        if !self.is_mesh(progress)? {
             let (domain, unused) = self.domain(progress)?;
             return Ok((domain.into(), unused));
         }
         let mesh = self.mesh(progress)?;
-        let unused = columns_left_out(&mesh.vertices).into_iter().collect();
+        let unused = notes(&mesh.vertices);
         if mesh.triangles.is_empty() {
             let points = DomainData::from(mesh.vertices);
             return Ok((points.into(), self.named(unused)));
         }
         let is_bounded = takes_areas && self.format == Some(Format::Ele);
         let areas = self.beside("area").filter(|_| is_bounded);
+        if areas.is_some() && !self.regions.is_empty() {
+            let both = "--region takes some triangles alone, so an .area file for all does not fit";
+            return Err(Failure::Usage(both.to_owned()));
+        }
         let refinable = Refinable::of_mesh(mesh, &self.name(), areas, progress)?;
         Ok((refinable, self.named(unused)))
     }
 
-    fn named(&self, unused: Vec<String>) -> Vec<String> {
+    /// Puts the name before what is said about the input.
+    pub fn named(&self, unused: Vec<String>) -> Vec<String> {
         let name = self.name();
         let unused = unused.iter().map(|what| format!("{name}: {what}"));
         unused.collect()
@@ -266,16 +353,40 @@ impl Input {
 
     fn points_of_mesh(&self, progress: &Progress) -> Result<(PointSet, Vec<String>), Failure> {
         let mesh = self.mesh(progress)?;
-        let mut unused = Vec::new();
-        if !mesh.triangles.is_empty() {
-            unused.push("only the points are used, triangles and their data are not".to_owned());
-        }
+        let unused = match (!mesh.triangles.is_empty(), has_segments(&mesh)) {
+            (true, true) => {
+                Some("only the points are used, triangles, segments and their data are not")
+            }
+            (true, false) => Some("only the points are used, triangles and their data are not"),
+            (false, true) => Some("only the points are used, segments are not"),
+            (false, false) => None,
+        };
+        let unused = unused.map(str::to_owned).into_iter().collect();
         Ok((mesh.vertices, unused))
     }
 
-    /// Reads points and triangles.
+    /// Reads points and triangles: those of the regions that are taken.
     pub fn mesh(&self, progress: &Progress) -> Result<MeshData, Failure> {
-        delone_io::read_mesh(&self.source, &self.options, progress).map_err(unreadable)
+        let held = self.held.take();
+        let mesh = held.map_or_else(|| self.read_mesh(progress), Ok)?;
+        match self.regions.as_slice() {
+            [] => Ok(mesh),
+            wanted => region::restrict(mesh, wanted, &self.name()),
+        }
+    }
+
+    fn read_mesh(&self, progress: &Progress) -> Result<MeshData, Failure> {
+        let mesh = delone_io::read_mesh(&self.source, &self.options, progress);
+        let mesh = mesh.map_err(unreadable)?;
+        progress.detail(|| {
+            let triangles = words::counted(mesh.triangles.len(), "triangle", "triangles");
+            format!(
+                "{}: {triangles}, {}",
+                self.name(),
+                words::points(&mesh.vertices)
+            )
+        });
+        Ok(mesh)
     }
 
     fn read(&self, source: &Source, progress: &Progress) -> Result<PointSet, Failure> {
@@ -291,42 +402,10 @@ impl Input {
     }
 }
 
-fn columns_left_out(set: &PointSet) -> Option<String> {
-    let columns: Vec<String> = set.left_out.iter().map(|c| in_words(c, set)).collect();
-    let columns = columns.join(", ");
-    let says = || format!("left out, because they hold no numbers: {columns}");
-    (!columns.is_empty()).then(says)
-}
-
-/// Names a column that was left out; if it began with numbers, with what stands there instead, and where.
-fn in_words(left_out: &LeftOut, set: &PointSet) -> String {
-    let LeftOut { name, point, text } = left_out;
-    match set.lines.of(*point) {
-        Some(line) if *point > 0 => format!("{name} (line {line}: {text:?})"),
-        _ => name.clone(),
-    }
-}
-
-/// Tells whether the head of an array declares integers in rows of three.
-fn holds_corners(head: &[u8]) -> bool {
-    let text = String::from_utf8_lossy(head);
-    let value = |key: &str, end: char| {
-        let (_, rest) = text.split_once(key)?;
-        rest.split_once(end).map(|(value, _)| value)
-    };
-    let kind = value("'descr':", ',').map(|v| v.trim_start_matches([' ', '\'', '<', '>', '|']));
-    let shape = value("'shape':", ')').map(str::trim_end);
-    kind.is_some_and(|k| k.starts_with(['i', 'u'])) && shape.is_some_and(|s| s.ends_with(", 3"))
-}
-
-/// Tells whether a `.poly` file declares no points, so that they are read from the `.node` file.
-fn names_no_points(head: &[u8]) -> bool {
-    let text = String::from_utf8_lossy(head);
-    let mut lines = text
-        .lines()
-        .map(|l| l.split('#').next().unwrap_or(l).trim());
-    let header = lines.find(|l| !l.is_empty());
-    header.is_some_and(|l| l.split_whitespace().next() == Some("0"))
+fn has_segments(mesh: &MeshData) -> bool {
+    mesh.constraints
+        .as_ref()
+        .is_some_and(|c| !c.edges.is_empty())
 }
 
 #[cfg(test)]
@@ -341,30 +420,5 @@ mod tests {
         );
         assert_eq!(columns("2,1"), Ok([1, 0].map(Column::Index)));
         assert!(columns("lon").is_err());
-    }
-
-    #[test]
-    fn corners_are_integers_in_rows_of_three() {
-        let head = |descr, shape| {
-            format!(
-                "\u{93}NUMPY{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}"
-            )
-        };
-        for (descr, shape, expected) in [
-            ("<i4", "7, 3", true),
-            ("|u1", "7, 3", true),
-            ("<f8", "7, 3", false),
-            ("<i8", "7, 2", false),
-            ("<i8", "3,", false),
-        ] {
-            let head = head(descr, shape);
-            assert_eq!(holds_corners(head.as_bytes()), expected, "{head}");
-        }
-    }
-
-    #[test]
-    fn a_poly_without_points_declares_zero() {
-        assert!(names_no_points(b"# of k.node\n0 2 0 0\n1 0\n"));
-        assert!(!names_no_points(b"3 2 0 0\n0 0 0\n"));
     }
 }

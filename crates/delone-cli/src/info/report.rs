@@ -1,18 +1,16 @@
 //! What `delone info` has found, for people and for programs.
 
-use super::trouble::{
-    Crossing, Duplicate, End, Listed, OnSegment, Overlap, Place, Repeated, Ring, ZeroLength,
-};
+use super::columns::{Column, Markers};
 use crate::domain::Rule;
 use crate::memory::peak_rss_bytes;
 use crate::words::{self, counted, duration};
-use delone::{Facts, Point, Pslg, VertexId};
-use delone_io::DomainData;
+use delone::{Facts, Point, Pslg, Region};
+use delone_io::{DomainData, MeshData};
 use serde::Serialize;
 use std::fmt;
 use std::time::Duration;
 
-/// Counts and troubles; the fields are the keys of `--json`, in this order.
+/// What a file holds; the fields are the keys of `--json`, in this order.
 #[derive(Serialize)]
 pub struct Report {
     file: String,
@@ -21,19 +19,15 @@ pub struct Report {
     segments: usize,
     polygons: usize,
     holes: usize,
-    regions: usize,
-    bounds: Option<[Place; 2]>,
-    usual_rule: String,
-    clean: bool,
+    triangles: usize,
+    bounds: Option<[[f64; 2]; 2]>,
     collinear: bool,
-    duplicates: Listed<Duplicate>,
-    loose_points: Listed<End>,
-    open_ends: Listed<End>,
-    zero_length: Listed<ZeroLength>,
-    repeated: Listed<Repeated>,
-    on_segments: Listed<OnSegment>,
-    overlaps: Listed<Overlap>,
-    crossings: Listed<Crossing>,
+    usual_rule: String,
+    columns: Vec<Column>,
+    triangle_columns: Vec<Column>,
+    point_markers: Option<Markers>,
+    segment_markers: Option<Markers>,
+    regions: Regions,
     rings: Rings,
     seconds: Seconds,
     peak_rss_bytes: Option<u64>,
@@ -42,96 +36,76 @@ pub struct Report {
     content: String,
 }
 
+/// The regions: how many, and the first of them.
+#[derive(Serialize)]
+struct Regions {
+    total: usize,
+    listed: Vec<Seed>,
+}
+
+/// A region, as its seed has it.
+#[derive(Serialize)]
+struct Seed {
+    at: [f64; 2],
+    attribute: f64,
+    max_area: Option<f64>,
+}
+
 /// The rings: how many, the first of them, and whether they do not meet, so that their nesting is
 /// known.
 #[derive(Serialize)]
 struct Rings {
-    #[serde(flatten)]
-    all: Listed<Ring>,
+    total: usize,
+    listed: Vec<Ring>,
     apart: bool,
 }
 
-/// Wall time of the phases, in seconds.
+/// A ring of segments.
 #[derive(Serialize)]
+struct Ring {
+    /// Its first segment, which names it.
+    segment: usize,
+    segments: usize,
+    /// How many rings are around it.
+    depth: usize,
+    /// The first segment of the ring directly around it.
+    inside: Option<usize>,
+}
+
+/// Wall time of the phases, in seconds.
+#[derive(Default, Serialize)]
 struct Seconds {
     read: f64,
     examine: f64,
 }
 
-/// Translates facts into the numbers of the file.
-struct Translator<'a> {
-    pslg: &'a Pslg,
-    base: usize,
-}
-
-impl Translator<'_> {
-    fn place(&self, v: VertexId) -> Place {
-        self.pslg.points[v.index()].into()
-    }
-
-    fn point(&self, v: VertexId) -> usize {
-        v.index() + self.base
-    }
-
-    fn end(&self, v: VertexId) -> End {
-        End {
-            point: self.point(v),
-            at: self.place(v),
-        }
-    }
-
-    fn duplicate(&self, [point, equals]: [VertexId; 2]) -> Duplicate {
-        Duplicate {
-            point: self.point(point),
-            equals: self.point(equals),
-            at: self.place(point),
-        }
-    }
-
-    fn zero_length(&self, segment: usize) -> ZeroLength {
-        ZeroLength {
-            segment: segment + self.base,
-            at: self.place(self.pslg.segments[segment][0]),
-        }
-    }
-
-    fn repeated(&self, [segment, equals]: [usize; 2]) -> Repeated {
-        Repeated {
-            segment: segment + self.base,
-            equals: equals + self.base,
-            ends: self.pslg.segments[segment].map(|v| self.place(v)),
-        }
-    }
-
-    /// Of the four ends on one line, the middle ones are those of the common part.
-    fn overlap(&self, segments: [usize; 2]) -> Overlap {
-        let ends = segments.map(|s| self.pslg.segments[s]);
-        let mut ends: Vec<Point> = ends
-            .as_flattened()
-            .iter()
-            .map(|v| self.pslg.points[v.index()])
-            .collect();
-        ends.sort_by(Point::lex_cmp);
-        Overlap {
-            segments: segments.map(|s| s + self.base),
-            ends: [ends[1].into(), ends[2].into()],
-        }
-    }
-
-    fn rings(&self, facts: &Facts, limit: usize) -> Rings {
-        let name = |i: usize| facts.rings[i].segment + self.base;
+impl Rings {
+    fn of(facts: &Facts, base: usize, limit: usize) -> Self {
+        let name = |i: usize| facts.rings[i].segment + base;
         let ring = |ring: &delone::Ring| Ring {
-            segment: ring.segment + self.base,
+            segment: ring.segment + base,
             segments: ring.len,
             depth: ring.depth,
             inside: ring.parent.map(name),
         };
-        Rings {
-            all: Listed {
-                total: facts.rings.len() as u64,
-                listed: facts.rings.iter().take(limit).map(ring).collect(),
-            },
+        Self {
+            total: facts.rings.len(),
+            listed: facts.rings.iter().take(limit).map(ring).collect(),
             apart: facts.are_rings_apart,
+        }
+    }
+}
+
+impl Regions {
+    fn of(regions: &[Region], limit: usize) -> Self {
+        let seed = |region: &Region| Seed {
+            at: region.at.into(),
+            attribute: region.attribute,
+            max_area: region.max_area,
+        };
+        Self {
+            total: regions.len(),
+            listed: regions.iter().take(limit).map(seed).collect(),
         }
     }
 }
@@ -141,12 +115,19 @@ impl Report {
     pub fn new(
         file: String,
         domain: &DomainData,
+        mesh: Option<&MeshData>,
         pslg: &Pslg,
         facts: &Facts,
         limit: usize,
     ) -> Self {
         let base = domain.vertices.base as usize;
-        let its = Translator { pslg, base };
+        let columns = |all: &[delone_io::Attribute]| all.iter().map(Column::from).collect();
+        let markers = |all: &Option<Vec<i32>>| all.as_ref().map(|m| Markers::of(m, limit));
+        let triangles = mesh.map_or(0, |mesh| mesh.triangles.len());
+        let mut content = words::domain(pslg);
+        if mesh.is_some() {
+            content = format!("{}, {content}", counted(triangles, "triangle", "triangles"));
+        }
         Self {
             file,
             base,
@@ -154,33 +135,19 @@ impl Report {
             segments: facts.segments,
             polygons: pslg.polygons.len(),
             holes: pslg.holes.len(),
-            regions: pslg.regions.len(),
+            triangles,
             bounds: bounds(&pslg.points),
-            usual_rule: Rule::from(domain.usual_rule).to_string(),
-            clean: facts.is_clean(),
             collinear: facts.is_collinear,
-            duplicates: Listed::of(&facts.duplicates, |d| its.duplicate(d)),
-            loose_points: Listed::of(&facts.loose_points, |v| its.end(v)),
-            open_ends: Listed::of(&facts.open_ends, |v| its.end(v)),
-            zero_length: Listed::of(&facts.zero_length, |s| its.zero_length(s)),
-            repeated: Listed::of(&facts.repeated, |s| its.repeated(s)),
-            on_segments: Listed::of(&facts.on_segments, |on| OnSegment {
-                point: its.point(on.vertex),
-                segment: on.segment + base,
-                at: on.at.into(),
-            }),
-            overlaps: Listed::of(&facts.overlaps, |s| its.overlap(s)),
-            crossings: Listed::of(&facts.crossings, |crossing| Crossing {
-                segments: crossing.segments.map(|s| s + base),
-                at: crossing.at.into(),
-            }),
-            rings: its.rings(facts, limit),
-            seconds: Seconds {
-                read: 0.0,
-                examine: 0.0,
-            },
+            usual_rule: Rule::from(domain.usual_rule).to_string(),
+            columns: columns(&domain.vertices.attributes),
+            triangle_columns: mesh.map_or_else(Vec::new, |m| columns(&m.triangle_attributes)),
+            point_markers: markers(&domain.vertices.markers),
+            segment_markers: markers(&domain.segment_markers),
+            regions: Regions::of(&pslg.regions, limit),
+            rings: Rings::of(facts, base, limit),
+            seconds: Seconds::default(),
             peak_rss_bytes: peak_rss_bytes(),
-            content: words::domain(pslg),
+            content,
         }
     }
 
@@ -193,35 +160,88 @@ impl Report {
         self
     }
 
-    /// Writes the JSON object, on one line.
-    pub fn json(&self) -> String {
-        serde_json::to_string(self).expect("bug: numbers and strings always serialise")
-    }
-
-    fn verdict(&self) -> &'static str {
-        match (self.clean, self.segments) {
-            (true, 0) => "no segments",
-            (true, _) => "clean, segments meet at common ends only",
-            (false, _) => "segments meet elsewhere than at common ends",
-        }
-    }
-
     fn write_head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}: {}.", self.file, self.verdict())?;
-        writeln!(f, "  {} (rule: {})", self.content, self.usual_rule)?;
+        writeln!(f, "{}: {}.", self.file, self.content)?;
+        if self.triangles == 0 {
+            writeln!(f, "  rule: {}", self.usual_rule)?;
+        }
         if let Some([low, high]) = self.bounds {
             let on_a_line = if self.collinear {
                 ", all on one line"
             } else {
                 ""
             };
-            writeln!(f, "  from {low} to {high}{on_a_line}")?;
+            writeln!(f, "  from {} to {}{on_a_line}", place(low), place(high))?;
         }
         Ok(())
     }
 
+    fn write_columns(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (what, columns) in [
+            ("column", &self.columns),
+            ("of triangles,", &self.triangle_columns),
+        ] {
+            for column in columns {
+                writeln!(f, "  {what} {column}")?;
+            }
+        }
+        for (what, markers) in [
+            ("points", &self.point_markers),
+            ("segments", &self.segment_markers),
+        ] {
+            if let Some(markers) = markers {
+                writeln!(f, "  markers of {what}: {markers}")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_regions(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, region) in self.regions.listed.iter().enumerate() {
+            let area = region
+                .max_area
+                .map(|area| format!(", triangles up to {area}"));
+            let (number, at) = (i + self.base, place(region.at));
+            let area = area.unwrap_or_default();
+            writeln!(
+                f,
+                "  region {number} around {at}: attribute {}{area}",
+                region.attribute
+            )?;
+        }
+        write_more(
+            f,
+            "  ",
+            self.regions.total - self.regions.listed.len(),
+            "region",
+            "regions",
+        )
+    }
+
     fn write_rings(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.rings.all.write(f, "closed ring", "closed rings")?;
+        if self.rings.total == 0 {
+            return Ok(());
+        }
+        writeln!(
+            f,
+            "  {}:",
+            counted(self.rings.total, "closed ring", "closed rings")
+        )?;
+        for ring in &self.rings.listed {
+            let segments = counted(ring.segments, "segment", "segments");
+            write!(f, "    ring of segment {}: {segments}", ring.segment)?;
+            match ring.inside {
+                Some(around) => writeln!(f, ", inside the ring of segment {around}")?,
+                None => writeln!(f)?,
+            }
+        }
+        write_more(
+            f,
+            "    ",
+            self.rings.total - self.rings.listed.len(),
+            "other",
+            "others",
+        )?;
         if self.rings.apart {
             return Ok(());
         }
@@ -229,33 +249,26 @@ impl Report {
     }
 }
 
+/// Says how many more there are than listed.
+fn write_more(
+    f: &mut fmt::Formatter<'_>,
+    indent: &str,
+    more: usize,
+    one: &str,
+    many: &str,
+) -> fmt::Result {
+    match more {
+        0 => Ok(()),
+        more => writeln!(f, "{indent}and {} (see --limit)", counted(more, one, many)),
+    }
+}
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_head(f)?;
-        let loose = counted(
-            self.loose_points.total as usize,
-            "loose point",
-            "loose points",
-        );
-        if self.segments > 0 && self.loose_points.total > 0 {
-            writeln!(f, "  {loose}")?;
-        }
+        self.write_columns(f)?;
+        self.write_regions(f)?;
         self.write_rings(f)?;
-        self.open_ends.write(f, "open end", "open ends")?;
-        self.duplicates
-            .write(f, "duplicate point", "duplicate points")?;
-        let many = "segments of no length";
-        self.zero_length.write(f, "segment of no length", many)?;
-        self.repeated
-            .write(f, "repeated segment", "repeated segments")?;
-        let many = "points inside segments";
-        self.on_segments.write(f, "point inside a segment", many)?;
-        let many = "pairs of segments that overlap";
-        self.overlaps
-            .write(f, "pair of segments that overlap", many)?;
-        let many = "pairs of segments that cross";
-        self.crossings
-            .write(f, "pair of segments that cross", many)?;
         if self.base == 1 {
             writeln!(f, "  (Numbers count from 1, as in the file.)")?;
         }
@@ -265,8 +278,13 @@ impl fmt::Display for Report {
     }
 }
 
+/// A place, written so that it reads back as the same.
+fn place([x, y]: [f64; 2]) -> String {
+    format!("({x:?}, {y:?})")
+}
+
 /// Returns the corners of the bounding box.
-fn bounds(points: &[Point]) -> Option<[Place; 2]> {
+fn bounds(points: &[Point]) -> Option<[[f64; 2]; 2]> {
     let (first, rest) = points.split_first()?;
     let corners = rest.iter().fold([*first; 2], |[low, high], p| {
         [
@@ -274,5 +292,5 @@ fn bounds(points: &[Point]) -> Option<[Place; 2]> {
             Point::new(high.x.max(p.x), high.y.max(p.y)),
         ]
     });
-    Some(corners.map(Place::from))
+    Some(corners.map(Into::into))
 }

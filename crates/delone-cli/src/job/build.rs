@@ -15,7 +15,7 @@ use delone_io::DomainData;
 use std::time::{Duration, Instant};
 
 /// Options about segments and what lies between them.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Domain")]
 pub struct Building {
     /// What to do where segments cross in a point that is no vertex [default: error]
@@ -128,14 +128,20 @@ impl Building {
         Ok((refined, laps))
     }
 
+    /// Lists the options that the mesh does not show.
+    pub(super) fn options(&self) -> Vec<String> {
+        let is_split = matches!(self.crossings, Some(Crossings::Split));
+        Vec::from_iter(is_split.then(|| "crossings=split".to_owned()))
+    }
+
     /// Tells whether there are but points, and nothing else was asked for.
-    fn is_plain(&self, domain: &DomainData) -> bool {
+    pub(super) fn is_plain(&self, domain: &DomainData) -> bool {
         let bare = domain.segments.is_empty() && domain.holes.is_empty();
         bare && domain.regions.is_empty() && self.domain.is_none()
     }
 
     /// Returns which triangles are kept.
-    fn rule(&self, domain: &DomainData) -> DomainRule {
+    pub(super) fn rule(&self, domain: &DomainData) -> DomainRule {
         self.domain.map_or(domain.usual_rule, Into::into)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::build::{Built, Laps};
 use crate::memory::peak_rss_bytes;
+use crate::voice;
 use crate::words::{count, counted, duration, wrote};
 use delone::{ConstrainedTriangulation, Triangulation};
 use serde::Serialize;
@@ -170,19 +171,19 @@ impl<T: Serialize> Report<T> {
     /// program is told what comes `next`.
     pub fn summarise(&self, more: &[String], next: Option<&str>, written: &[PathBuf]) {
         if next.is_some() {
-            eprintln!("{ABOUT}\n");
+            voice::say(&format!("{ABOUT}\n"));
         }
-        eprintln!("{}", self.figures.in_words());
+        voice::say(&self.figures.in_words());
         for line in more {
-            eprintln!("{line}");
+            voice::say(line);
         }
-        eprintln!("hash {}", self.figures.hash);
-        eprintln!("{}", self.times);
+        voice::say(&format!("hash {}", self.figures.hash));
+        voice::say(&self.times);
         if let Some(files) = wrote(written) {
-            eprintln!("{files}");
+            voice::say(&files);
         }
         if let Some(next) = next {
-            eprintln!("\n{next}");
+            voice::say(&format!("\n{next}"));
         }
     }
 }

@@ -16,7 +16,7 @@ const USUAL_ANGLE: f64 = 25.0;
 pub const SAFE_ANGLE: f64 = 33.0;
 
 /// Bounds on triangles.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Quality")]
 pub struct Goals {
     /// No angle smaller than this, in degrees: 0 is no bound, up to 33 ends well in practice

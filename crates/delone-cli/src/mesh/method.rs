@@ -17,7 +17,7 @@ const SAFE_VERTICES: usize = 5_000_000;
 pub const LIMITS: &str = "--max-vertices or --max-time";
 
 /// How to refine.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Method")]
 pub struct Method {
     /// Add no vertex on segments: on none, or on none with the domain on one side only
@@ -65,6 +65,27 @@ impl Method {
         }
     }
 
+    /// Returns the word for the segments that have to stay, if some have.
+    pub fn kept(&self) -> Option<&'static str> {
+        self.keep_boundary.map(|kept| match kept {
+            Kept::Outer => "outer",
+            Kept::All => "all",
+        })
+    }
+
+    /// Tells whether every triangle is to be Delaunay.
+    pub fn is_conforming(&self) -> bool {
+        self.conforming
+    }
+
+    /// Lists the choices that a mesh does not show.
+    pub fn options(&self) -> Vec<String> {
+        let smooth = (self.smooth > 0).then(|| format!("smooth={}", self.smooth));
+        let is_thesis = self.strategy == Algorithm::Thesis;
+        let strategy = is_thesis.then(|| "strategy=thesis".to_owned());
+        smooth.into_iter().chain(strategy).collect()
+    }
+
     /// Passes the choices on.
     pub fn apply<'a>(&self, refinement: Refinement<'a>) -> Refinement<'a> {
         refinement
@@ -83,7 +104,7 @@ impl Method {
 }
 
 /// How far to go.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Limits")]
 pub struct Limits {
     /// Stop at so many vertices, those of the input included [default: none up to 33 degrees, above
@@ -96,6 +117,13 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// Lists the limits that were asked for.
+    pub fn options(&self) -> Vec<String> {
+        let vertices = self.max_vertices.map(|n| format!("max_vertices={n}"));
+        let time = self.max_time.map(|seconds| format!("max_time={seconds}"));
+        vertices.into_iter().chain(time).collect()
+    }
+
     /// Returns the limits for a domain.
     pub fn budget(&self, goals: &Goals, domain: &DomainData) -> Budget {
         Budget {

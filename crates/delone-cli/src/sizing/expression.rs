@@ -302,4 +302,60 @@ mod tests {
         let minus = format!("{}x", "-".repeat(998));
         assert_eq!(at(&minus, 2.0, 0.0), 2.0);
     }
+
+    #[test]
+    fn noise_never_panics() {
+        const WORDS: &[&str] = &[
+            "x",
+            "y",
+            "1",
+            ".5",
+            "2.",
+            "1e9",
+            "1e",
+            "+",
+            "-",
+            "*",
+            "/",
+            "^",
+            "**",
+            "(",
+            ")",
+            ",",
+            " ",
+            "min(",
+            "max(",
+            "sqrt(",
+            "hypot(",
+            "abs(",
+            "z",
+            "_",
+            "\u{e4}",
+            "\u{1f600}",
+            "\n",
+            "0x1",
+        ];
+        let mut state = 1_u64;
+        let mut right = 0;
+        for _ in 0..20_000 {
+            let mut text = String::new();
+            for _ in 0..(state >> 60) {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                text += WORDS[(state >> 33) as usize % WORDS.len()];
+            }
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            if let Ok(expression) = Expression::parse(&text) {
+                expression.max_edge(Point::new(0.5, -1.0));
+                right += 1;
+            }
+        }
+        assert!(right > 100, "{right}");
+        // Nothing takes longer than its length deserves, and depth does not overflow the stack.
+        for nested in ["(", "-", "x(", "min(x,", "x^", "(((x+", "sqrt("] {
+            let text = nested.repeat(LONGEST / nested.len());
+            assert!(Expression::parse(&text).is_err(), "{nested}");
+        }
+    }
 }

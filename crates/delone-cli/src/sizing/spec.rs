@@ -70,6 +70,30 @@ impl fmt::Display for Spec {
 }
 
 impl Spec {
+    /// Writes it with the name of its file, but without the folder.
+    pub fn name(&self) -> String {
+        let without_folder =
+            |file: &Path| file.file_name().map_or_else(PathBuf::new, PathBuf::from);
+        self.clone().with_file(without_folder).to_string()
+    }
+
+    /// Looks for its file in `folder`.
+    pub fn within(self, folder: &Path) -> Self {
+        self.with_file(|file| folder.join(file))
+    }
+
+    fn with_file(mut self, change: impl Fn(&Path) -> PathBuf) -> Self {
+        match &mut self {
+            Self::Column { file, .. }
+            | Self::Distance {
+                features: Features::File(file),
+                ..
+            } => *file = change(file),
+            _ => {}
+        }
+        self
+    }
+
     /// Returns the file that is read, if one is.
     pub fn file(&self) -> Option<&Path> {
         match self {

@@ -68,7 +68,7 @@ pub fn look_at(arg: &Path, progress: &Progress) -> Result<Vec<Lent>, Failure> {
 
 /// Reads an input as the page will, and returns the files that this takes.
 fn read(input: &Input, progress: &Progress) -> Result<Vec<PathBuf>, Failure> {
-    match input.brings_triangles() {
+    match input.brings_triangles(progress)? {
         true => drop(input.mesh(progress)?),
         false => drop(input.domain(progress)?),
     }

@@ -35,6 +35,7 @@ Accepted, but nothing to choose here:
   -z      numbers begin as in the input, as in Triangle
 Refused:
   -u      no test of one's own: `delone mesh --sizing` takes a formula or a file of sizes
+  -w      no weights: `delone voronoi FILE --weights COLUMN` makes power cells
   -g      no .off file: `delone convert FILE.1.ele FILE.vtu` for a viewer
 
 Examples:

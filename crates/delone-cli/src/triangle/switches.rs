@@ -137,7 +137,7 @@ impl Switches {
             'I' => self.in_place = true,
             'Q' => self.quiet = true,
             'i' | 'F' | 'l' | 's' | 'C' | 'X' | 'V' | 'z' => {}
-            'u' | 'g' => return Err(usage(refusal(letter).to_owned())),
+            'u' | 'g' | 'w' | 'W' => return Err(usage(refusal(letter).to_owned())),
             _ => return Err(usage(format!("-{letter} is no switch of Triangle"))),
         }
         Ok(())
@@ -163,6 +163,10 @@ fn refusal(letter: char) -> &'static str {
         'u' => {
             "-u: a test of one's own cannot be built in; `delone mesh --sizing` takes a formula or \
              a file of sizes"
+        }
+        'w' | 'W' => {
+            "-w: weighted triangulations are not written; `delone voronoi FILE --weights COLUMN` makes \
+             their power cells"
         }
         _ => {
             "-g: .off files are not written; convert the mesh, `delone convert FILE.1.ele FILE.vtu`"
@@ -283,6 +287,24 @@ mod tests {
     }
 
     #[test]
+    fn every_letter_is_understood_or_refused_with_a_sentence() {
+        let understood = "aABcCDeEFhiIjlLnNoOpPqQrsSvVXYz";
+        let refused = "guwW";
+        for letter in ('a'..='z').chain('A'..='Z') {
+            let number = if letter == 'o' { "2" } else { "" };
+            let said = parse(&format!("-{letter}{number} f"));
+            let is_known = understood.contains(letter) && letter != 'h';
+            assert_eq!(said.is_ok(), is_known, "-{letter}: {said:?}");
+            let Err(said) = said else { continue };
+            let is_refused = refused.contains(letter);
+            assert_eq!(said.contains("`delone "), is_refused, "{said}");
+            let is_unknown = said == format!("-{letter} is no switch of Triangle");
+            assert!(is_refused || is_unknown || letter == 'h', "{said}");
+        }
+        assert!(Switches::ask_for_help(OsStr::new("-ph")));
+    }
+
+    #[test]
     fn what_makes_no_sense_is_refused_by_name() {
         for (line, expected) in [
             ("-pq60 f", "-q60: the smallest angle"),
@@ -292,7 +314,7 @@ mod tests {
             ("-S1.5 f", "-S1.5: a number of vertices"),
             ("-o3 f", "-o3: triangles have order 1"),
             ("-o f", "-o: triangles have order 1"),
-            ("-pW f", "-W is no switch of Triangle"),
+            ("-pG f", "-G is no switch of Triangle"),
             ("-p° f", "-° is no switch"),
             ("-pu f", "delone mesh --sizing"),
             ("-g f", "delone convert"),

@@ -29,6 +29,11 @@ impl<'w> Reader<'w> {
         self.feature
     }
 
+    /// Returns what is filled, and what looks at the watch, for readers of other objects.
+    pub fn parts(&mut self) -> (&mut Shapes, &Pulse<'w>) {
+        (&mut self.shapes, &self.pulse)
+    }
+
     pub fn into_shapes(self) -> Shapes {
         self.shapes
     }

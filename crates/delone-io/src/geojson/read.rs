@@ -1,15 +1,15 @@
 //! Reading: the parser walks over the text once, and every geometry is added as it ends.
 
+use super::bare::{self, ArraySeed};
 use super::object::{ObjectSeed, Reader, Role};
 use crate::{DomainData, Error, Place, Problem, scan};
 use delone::{Phase, Watch};
 use serde::de::DeserializeSeed;
 
-/// Tells whether the bytes begin like a JSON object.
+/// Tells whether the bytes begin like a JSON object, or an array of numbers.
 pub(crate) fn sniff(head: &[u8]) -> bool {
-    scan::without_mark(head)
-        .trim_ascii_start()
-        .starts_with(b"{")
+    let text = scan::without_mark(head).trim_ascii_start();
+    text.starts_with(b"{") || bare::sniff(text)
 }
 
 /// Reads a domain.
@@ -29,11 +29,17 @@ pub(crate) fn read_domain(
     }
     let mut reader = Reader::new(watch);
     let mut parser = serde_json::Deserializer::from_slice(text);
-    let seed = ObjectSeed {
-        reader: &mut reader,
-        role: Role::Root,
+    let outcome = if text.trim_ascii_start().starts_with(b"[") {
+        let (shapes, pulse) = reader.parts();
+        ArraySeed { shapes, pulse }.deserialize(&mut parser)
+    } else {
+        let seed = ObjectSeed {
+            reader: &mut reader,
+            role: Role::Root,
+        };
+        seed.deserialize(&mut parser)
     };
-    let outcome = seed.deserialize(&mut parser).and_then(|()| parser.end());
+    let outcome = outcome.and_then(|()| parser.end());
     if let Err(error) = outcome {
         if watch.is_cancelled() {
             return Err(Error::Cancelled);

@@ -60,6 +60,10 @@ pub(crate) fn write_domain(out: &mut Output<'_>, domain: &DomainData) -> Result<
     let mut list = List::begin(out)?;
     for range in &domain.polygons {
         let rings = rings(domain.segments.get(range.clone()).unwrap_or_default())?;
+        // A ring of one or two segments encloses nothing, and readers of GeoJSON refuse it: they become lines.
+        if rings.iter().any(|ring| ring.len() < 4) {
+            continue;
+        }
         in_polygon[range.clone()].fill(true);
         list.next(|out| vertices.write_polygon(out, &rings, marker(range.start)))?;
     }

@@ -88,7 +88,7 @@ pub(super) fn add_entry(sheet: &mut Sheet, unit: f32, entry: &Entry, [x, y]: [f3
 }
 
 /// Size of letters: digits are seven times as high.
-pub(super) const TEXT: f32 = 2.1;
+pub(crate) const TEXT: f32 = 2.1;
 
 /// A line of the legend below the scale.
 pub(super) struct Entry {

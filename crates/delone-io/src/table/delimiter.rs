@@ -1,5 +1,6 @@
 //! What sets the cells of a row apart, and how a row is taken apart.
 
+use crate::points::{MAX_COLUMNS, check_columns};
 use crate::scan::{self, Row, Scanner};
 use crate::{Error, Problem};
 use std::borrow::Cow;
@@ -40,7 +41,7 @@ impl Delimiter {
         }
     }
 
-    /// Splits a row into `cells`.
+    /// Splits a row into `cells`, unless there are more than a table may have: a line without end costs no memory.
     pub fn split<'a>(self, row: Row<'a>, cells: &mut Vec<Cow<'a, [u8]>>) -> Result<(), Problem> {
         cells.clear();
         if row.text.contains(&b'\r') {
@@ -49,15 +50,26 @@ impl Delimiter {
             ));
         }
         match self {
-            Self::Blanks => cells.extend(row.words().map(Cow::Borrowed)),
+            Self::Blanks => {
+                cells.extend(row.words().take(MAX_COLUMNS + 1).map(Cow::Borrowed));
+                check(cells, || row.words().count())
+            }
             Self::Byte(byte) => {
-                for cell in Cells::new(row.text, byte) {
+                for cell in Cells::new(row.text, byte).take(MAX_COLUMNS + 1) {
                     cells.push(unquote(cell)?);
                 }
+                check(cells, || Cells::new(row.text, byte).count())
             }
         }
-        Ok(())
     }
+}
+
+/// Refuses cells of more columns than there may be; only then are all counted.
+fn check(cells: &[Cow<'_, [u8]>], count: impl FnOnce() -> usize) -> Result<(), Problem> {
+    if cells.len() <= MAX_COLUMNS {
+        return Ok(());
+    }
+    check_columns(count() as u64).map(drop)
 }
 
 /// Cuts off a remark behind numbers set apart by blanks: commas in it set nothing apart. Elsewhere,

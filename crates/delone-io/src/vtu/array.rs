@@ -1,21 +1,27 @@
-//! One array: what its element says about it, and its numbers from text or base64.
+//! One array: what its element says about it, and its numbers from text or bytes.
 
+use super::grid::Data;
+use super::packed::{Budget, Encoding, Fault, Feed, unpack};
 use super::{Stop, other, poll};
+use crate::cursor::{join, signed};
 use crate::{Problem, exact, points, scan};
-use base64::prelude::{BASE64_STANDARD, Engine};
 use delone::Watch;
 use quick_xml::events::BytesStart;
-use std::borrow::Cow;
 
-/// Letters of base64 decoded between two looks at the watch; divisible by 4.
-const LETTERS_PER_POLL: usize = 1 << 18;
+/// What stands behind the elements, for arrays that are there.
+#[derive(Clone, Copy)]
+pub(super) struct Appended<'a> {
+    pub bytes: &'a [u8],
+    /// Whether they are bytes as such, not letters.
+    pub is_raw: bool,
+}
 
-/// How binary arrays are written, from the root element.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Encoding {
-    pub big_endian: bool,
-    /// Whether the count of bytes takes eight bytes instead of four.
-    pub wide_counts: bool,
+/// Where the numbers of an array are.
+enum Home {
+    Text,
+    Letters,
+    /// Behind the elements, so many bytes from the beginning.
+    Appended(u64),
 }
 
 /// What an element says about its array.
@@ -25,7 +31,7 @@ pub(super) struct ArrayHead {
     meaning: Meaning,
     /// Bytes of one number.
     width: usize,
-    in_base64: bool,
+    home: Home,
 }
 
 impl ArrayHead {
@@ -43,7 +49,7 @@ impl ArrayHead {
             .ok_or_else(|| other(format!("array {name:?}: type {kind:?} is not understood")))?;
         Ok(Self {
             components: points::check_columns(count)?.max(1),
-            in_base64: is_base64(&name, get("format")?.as_deref())?,
+            home: home(&name, start)?,
             meaning,
             width,
             name,
@@ -51,22 +57,55 @@ impl ArrayHead {
     }
 
     /// Whether the numbers are integers by their type.
-    pub fn is_integer(&self) -> bool {
+    fn is_integer(&self) -> bool {
         !matches!(self.meaning, Meaning::Float)
     }
 
     /// Reads the numbers.
     pub fn decode(
-        &self,
+        self,
         encoding: Encoding,
         text: &[u8],
+        appended: Option<Appended<'_>>,
+        budget: &mut Budget,
         watch: &dyn Watch,
-    ) -> Result<Vec<f64>, Stop> {
-        if self.in_base64 {
-            self.decode_base64(encoding, text, watch)
-        } else {
-            self.decode_ascii(text, watch)
-        }
+    ) -> Result<Data, Stop> {
+        let feed = match (&self.home, appended) {
+            (Home::Text, _) => None,
+            (Home::Letters, _) => Some(Feed::letters_of_text(text)),
+            (Home::Appended(offset), Some(appended)) => {
+                let offset = usize::try_from(*offset).ok();
+                let bytes = offset.and_then(|offset| appended.bytes.get(offset..));
+                let bytes = bytes.ok_or_else(|| self.broken("begins behind the appended data"))?;
+                Some(match appended.is_raw {
+                    true => Feed::Bytes(bytes),
+                    false => Feed::Letters(bytes.into(), 0, Vec::new()),
+                })
+            }
+            (Home::Appended(_), None) => {
+                return Err(self
+                    .broken("is appended, but there are no appended data")
+                    .into());
+            }
+        };
+        let values = match feed {
+            None => self.decode_ascii(text, watch)?,
+            Some(feed) => {
+                let is_alone = matches!(self.home, Home::Letters);
+                let data = unpack(feed, encoding, is_alone, budget, watch);
+                let data = data.map_err(|fault| match fault {
+                    Fault::Broken(text) => self.broken(&text).into(),
+                    Fault::Stop(stop) => stop,
+                })?;
+                self.decode_bytes(encoding, &data, watch)?
+            }
+        };
+        Ok(Data {
+            are_integers: self.is_integer(),
+            name: self.name,
+            components: self.components,
+            values,
+        })
     }
 
     fn decode_ascii(&self, text: &[u8], watch: &dyn Watch) -> Result<Vec<f64>, Stop> {
@@ -102,17 +141,12 @@ impl ArrayHead {
         })
     }
 
-    fn decode_base64(
+    fn decode_bytes(
         &self,
         encoding: Encoding,
-        text: &[u8],
+        data: &[u8],
         watch: &dyn Watch,
     ) -> Result<Vec<f64>, Stop> {
-        let bytes = self.bytes(text, watch)?;
-        if bytes.is_empty() {
-            return Ok(Vec::new());
-        }
-        let data = self.counted(encoding, &bytes)?;
         let width = self.width;
         if !data.len().is_multiple_of(width) {
             return Err(self.broken("ends within a number").into());
@@ -120,7 +154,7 @@ impl ArrayHead {
         let mut values = Vec::with_capacity(data.len() / width);
         for (i, number) in data.chunks_exact(width).enumerate() {
             poll(watch, i)?;
-            let bits = unsigned(number, encoding.big_endian);
+            let bits = join(number, encoding.big_endian);
             values.push(match self.meaning {
                 Meaning::Float if width == 4 => f32::from_bits(bits as u32).into(),
                 Meaning::Float => f64::from_bits(bits),
@@ -131,73 +165,28 @@ impl ArrayHead {
         Ok(values)
     }
 
-    /// Decodes base64, in pieces between which cancellation is noticed.
-    fn bytes(&self, text: &[u8], watch: &dyn Watch) -> Result<Vec<u8>, Stop> {
-        let letters = without_blanks(text.trim_ascii());
-        let mut bytes = Vec::with_capacity(letters.len() / 4 * 3 + 3);
-        for piece in letters.chunks(LETTERS_PER_POLL) {
-            poll(watch, 0)?;
-            BASE64_STANDARD
-                .decode_vec(piece, &mut bytes)
-                .map_err(|e| self.broken(&format!("broken base64: {e}")))?;
-        }
-        Ok(bytes)
-    }
-
-    /// Returns the data behind their count of bytes, which must be right.
-    fn counted<'b>(&self, encoding: Encoding, bytes: &'b [u8]) -> Result<&'b [u8], Problem> {
-        let count_width = if encoding.wide_counts { 8 } else { 4 };
-        let (count, data) = bytes
-            .split_at_checked(count_width)
-            .ok_or_else(|| self.broken("shorter than its count"))?;
-        let count = unsigned(count, encoding.big_endian);
-        if count == data.len() as u64 {
-            return Ok(data);
-        }
-        Err(self.broken(&format!(
-            "truncated: declares {count} bytes, has {}",
-            data.len()
-        )))
-    }
-
     fn broken(&self, what: &str) -> Problem {
         other(format!("array {:?}: {what}", self.name))
     }
 }
 
-/// Tells base64 from text; other formats are refused.
-fn is_base64(name: &str, format: Option<&str>) -> Result<bool, Problem> {
-    match format {
-        None | Some("ascii") => Ok(false),
-        Some("binary") => Ok(true),
+/// Says where the numbers of an array are.
+fn home(name: &str, start: &BytesStart<'_>) -> Result<Home, Problem> {
+    match attribute(start, "format")?.as_deref() {
+        None | Some("ascii") => Ok(Home::Text),
+        Some("binary") => Ok(Home::Letters),
+        Some("appended") => {
+            let offset = attribute(start, "offset")?.unwrap_or_default();
+            let (what, text) = ("offset".to_owned(), scan::show(offset.as_bytes()));
+            let offset = offset.trim().parse();
+            Ok(Home::Appended(
+                offset.map_err(|_| Problem::NotANumber { what, text })?,
+            ))
+        }
         Some(format) => Err(other(format!(
-            "array {name:?} is in format {format}: only inline ascii and binary are understood"
+            "array {name:?} is in format {format}: only ascii, binary and appended are understood"
         ))),
     }
-}
-
-fn without_blanks(text: &[u8]) -> Cow<'_, [u8]> {
-    if !text.iter().any(u8::is_ascii_whitespace) {
-        return Cow::Borrowed(text);
-    }
-    let letters = text.iter().copied().filter(|b| !b.is_ascii_whitespace());
-    Cow::Owned(letters.collect())
-}
-
-/// Joins up to eight bytes.
-fn unsigned(bytes: &[u8], big_endian: bool) -> u64 {
-    let join = |sum: u64, &b: &u8| sum << 8 | u64::from(b);
-    if big_endian {
-        bytes.iter().fold(0, join)
-    } else {
-        bytes.iter().rev().fold(0, join)
-    }
-}
-
-/// Carries the sign of a number of `width` bytes to the top.
-fn signed(bits: u64, width: usize) -> i64 {
-    let unused = 64 - 8 * width as u32;
-    ((bits << unused) as i64) >> unused
 }
 
 /// How the bits of a number are meant.

@@ -1,51 +1,56 @@
-//! The arrays of a grid, put together to a mesh.
+//! The arrays of a grid, put together to a mesh: those of `.vtu`, and of `.vtk`.
 
-use super::array::ArrayHead;
-use super::{LINE, QUADRATIC_LINE, QUADRATIC_TRIANGLE, Stop, TRIANGLE, other, poll};
-use crate::{Attribute, Constraints, MeshData, PointSet, Problem, node, six_nodes};
-use delone::{Point, VertexId, Watch};
+use super::elements::Elements;
+use super::{Stop, other, poll};
+use crate::{Attribute, Constraints, MeshData, PointSet, Problem, node, points, six_nodes};
+use delone::{Point, Watch};
 
 /// The arrays of a file as they come.
 #[derive(Default)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     /// What the piece says about itself.
     pub declared_points: Option<u64>,
     pub declared_cells: Option<u64>,
-    points: Vec<f64>,
-    connectivity: Vec<f64>,
-    offsets: Vec<f64>,
-    types: Vec<f64>,
+    /// Three coordinates a point.
+    pub points: Vec<f64>,
+    pub connectivity: Vec<f64>,
+    /// Where each cell ends in `connectivity`.
+    pub offsets: Vec<f64>,
+    pub types: Vec<f64>,
     point_data: Vec<Attribute>,
     markers: Option<Vec<i32>>,
     cell_data: Vec<Attribute>,
+    /// What is not kept, in words.
+    pub notes: Vec<String>,
+}
+
+/// Numbers that go with points or cells.
+pub(crate) struct Data {
+    pub name: String,
+    pub components: usize,
+    /// Whether they are integers by their type.
+    pub are_integers: bool,
+    pub values: Vec<f64>,
 }
 
 impl Grid {
-    /// Keeps an array of a section, if it is one that a mesh needs.
-    pub fn keep(
-        &mut self,
-        section: &[u8],
-        head: ArrayHead,
-        values: Vec<f64>,
-    ) -> Result<(), Problem> {
-        match (section, head.name.as_str()) {
-            (b"Points", _) if head.components == 3 => self.points = values,
-            (b"Points", _) => return Err(other("points must have 3 components")),
-            (b"Cells", "connectivity") => self.connectivity = values,
-            (b"Cells", "offsets") => self.offsets = values,
-            (b"Cells", "types") => self.types = values,
-            (b"PointData", "marker") if head.components == 1 && are_markers(&head, &values) => {
-                self.markers = Some(values.into_iter().map(|v| v as i32).collect());
-            }
-            (b"PointData", _) => split(head, values, &mut self.point_data)?,
-            (b"CellData", _) => split(head, values, &mut self.cell_data)?,
-            _ => {}
+    /// Keeps data of points.
+    pub fn add_point_data(&mut self, data: Data) -> Result<(), Problem> {
+        let is_marker = data.name == MARKER && data.components == 1 && are_markers(&data);
+        if !is_marker {
+            return split(data, &mut self.point_data);
         }
+        self.markers = Some(data.values.into_iter().map(|v| v as i32).collect());
         Ok(())
     }
 
+    /// Keeps data of cells.
+    pub fn add_cell_data(&mut self, data: Data) -> Result<(), Problem> {
+        split(data, &mut self.cell_data)
+    }
+
     /// Makes the mesh; nothing in the arrays is trusted.
-    pub fn into_mesh(self, watch: &dyn Watch) -> Result<MeshData, Stop> {
+    pub fn into_mesh(mut self, watch: &dyn Watch) -> Result<MeshData, Stop> {
         if !self.points.len().is_multiple_of(3) {
             let found = self.points.len();
             return Err(other(format!("{found} coordinates: not a multiple of 3")).into());
@@ -53,19 +58,21 @@ impl Grid {
         let num_points = self.points.len() / 3;
         check_declared("points", self.declared_points, num_points)?;
         check_declared("cells", self.declared_cells, self.types.len())?;
-        let cells = self.cells(num_points, watch)?;
+        let cells = self.elements(num_points, watch)?;
         check_lengths(&self.point_data, num_points)?;
         check_lengths(&self.cell_data, self.types.len())?;
         if let Some(markers) = &self.markers {
-            check_length("marker", markers.len(), num_points)?;
+            check_length(MARKER, markers.len(), num_points)?;
         }
         let mut attributes = self.point_data;
-        attributes.splice(0..0, heights(&self.points, &attributes));
-        let (triangle_attributes, markers) = part(self.cell_data, &cells);
+        let heights = self.points.iter().copied().skip(2).step_by(3).collect();
+        attributes.splice(0..0, points::heights(heights, &attributes));
+        let (triangle_attributes, markers) = part(self.cell_data, &cells, &mut self.notes);
         let mut vertices = PointSet {
             points: plane(&self.points, watch)?,
             attributes,
             markers: self.markers,
+            notes: self.notes,
             ..PointSet::default()
         };
         six_nodes::drop_midpoints(&mut vertices, &cells.triangles, &cells.middles)?;
@@ -83,7 +90,7 @@ impl Grid {
     }
 
     /// Takes the cells apart by their types.
-    fn cells(&self, num_vertices: usize, watch: &dyn Watch) -> Result<Cells, Stop> {
+    fn elements(&self, num_vertices: usize, watch: &dyn Watch) -> Result<Elements, Stop> {
         let [types, ends] = [&self.types, &self.offsets].map(Vec::len);
         if types != ends {
             return Err(other(format!(
@@ -91,112 +98,65 @@ impl Grid {
             ))
             .into());
         }
-        let mut cells = Cells::default();
-        let mut rest = self.connectivity.as_slice();
-        let mut expected = 0;
+        let mut cells = Elements::default();
+        let mut begin = 0;
         for (cell, (&kind, &end)) in self.types.iter().zip(&self.offsets).enumerate() {
             poll(watch, cell)?;
-            let size = size_of_cell(cell, kind)?;
-            expected += size;
-            if end != expected as f64 {
-                let text = format!("cell {cell} ends at offset {end}, expected {expected}");
+            let most = self.connectivity.len();
+            if !(end >= begin as f64 && end.fract() == 0.0) {
+                let text = format!("cell {cell} ends at offset {end}, expected {begin} or more");
                 return Err(other(text).into());
             }
-            let Some((corners, others)) = rest.split_at_checked(size) else {
-                let found = self.connectivity.len();
-                let text = format!("{found} corners of cells, {expected} or more expected");
+            let Some(nodes) = self.connectivity.get(begin..end as usize) else {
+                let text = format!("{most} corners of cells, {end} or more expected");
                 return Err(other(text).into());
             };
-            rest = others;
-            cells.push((cell, kind), corners, num_vertices)?;
+            begin = end as usize;
+            cells.push((cell, kind), nodes, num_vertices)?;
         }
-        if !rest.is_empty() {
+        if begin < self.connectivity.len() {
             let found = self.connectivity.len();
-            return Err(other(format!("{found} corners of cells, {expected} expected")).into());
+            return Err(other(format!("{found} corners of cells, {begin} expected")).into());
         }
         Ok(cells)
     }
 }
 
-/// The cells of a grid by type, each with its place among all.
-#[derive(Default)]
-struct Cells {
-    triangles: Vec<[VertexId; 3]>,
-    lines: Vec<[VertexId; 2]>,
-    /// The midpoints of triangles and lines that have them, and how many triangles do.
-    middles: Vec<VertexId>,
-    num_quadratic: usize,
-    /// Whether each cell is a line; empty if none is.
-    is_line: Vec<bool>,
-}
+/// The data that are markers: of points, and of lines among the cells.
+const MARKER: &str = "marker";
 
-impl Cells {
-    fn push(
-        &mut self,
-        (cell, kind): (usize, f64),
-        nodes: &[f64],
-        num_vertices: usize,
-    ) -> Result<(), Problem> {
-        let is_line = [LINE, QUADRATIC_LINE].map(f64::from).contains(&kind);
-        let middles = match *nodes {
-            [a, b, ref middles @ ..] if is_line => {
-                self.is_line.resize(cell, false);
-                self.is_line.push(true);
-                self.lines
-                    .push(vertices(("line", cell), [a, b], num_vertices)?);
-                middles
-            }
-            [a, b, c, ref middles @ ..] => {
-                let corners = vertices(("triangle", cell), [a, b, c], num_vertices)?;
-                self.triangles.push(corners);
-                self.num_quadratic += usize::from(!middles.is_empty());
-                middles
-            }
-            _ => unreachable!("bug: a cell of another size"),
-        };
-        for &middle in middles {
-            let [middle] = vertices(("cell", cell), [middle], num_vertices)?;
-            self.middles.push(middle);
-        }
-        Ok(())
-    }
-
-    /// Picks the values of lines, or those of triangles.
-    fn pick(&self, values: &[f64], of_lines: bool) -> Vec<f64> {
-        let is_line = |i: usize| self.is_line.get(i).copied().unwrap_or(false);
-        let all = values.iter().enumerate();
-        let picked = all.filter(|&(i, _)| is_line(i) == of_lines);
-        picked.map(|(_, &value)| value).collect()
-    }
-}
-
-/// Returns the number of nodes of a cell.
-fn size_of_cell(cell: usize, kind: f64) -> Result<usize, Problem> {
-    match kind {
-        _ if kind == f64::from(TRIANGLE) => Ok(3),
-        _ if kind == f64::from(LINE) => Ok(2),
-        _ if kind == f64::from(QUADRATIC_TRIANGLE) => Ok(6),
-        _ if kind == f64::from(QUADRATIC_LINE) => Ok(3),
-        _ => Err(other(format!(
-            "cell {cell} has VTK type {kind}: only triangles (5, quadratic 22) and lines (3, \
-             quadratic 21) are understood"
-        ))),
-    }
-}
+/// Data of cells in which others keep what for lines are markers.
+const FOREIGN_MARKERS: [&str; 2] = ["gmsh:physical", "CellEntityIds"];
 
 /// Parts the data of cells into attributes of triangles and markers of lines.
-fn part(data: Vec<Attribute>, cells: &Cells) -> (Vec<Attribute>, Option<Vec<i32>>) {
-    if cells.lines.is_empty() {
+fn part(
+    data: Vec<Attribute>,
+    cells: &Elements,
+    notes: &mut Vec<String>,
+) -> (Vec<Attribute>, Option<Vec<i32>>) {
+    if cells.are_all_triangles() {
         return (data, None);
     }
+    let named = |wanted: &str| data.iter().any(|a| a.name == wanted);
+    let known = std::iter::once(MARKER).chain(FOREIGN_MARKERS);
+    let markers_name = known.into_iter().find(|name| named(name));
     let mut markers = None;
     let mut of_triangles = Vec::new();
     for Attribute { name, values } in data {
-        let of_lines = cells.pick(&values, true);
-        if name == "marker" && of_lines.iter().all(|&v| is_marker(v)) {
+        let of_lines = cells.of_lines(&values);
+        let are_markers = !of_lines.is_empty()
+            && markers_name == Some(&*name)
+            && of_lines.iter().all(|&v| is_marker(v));
+        // What our own files have there means nothing.
+        let says_nothing = |&v: &f64| v.is_nan() || v == 0.0 || v == -1.0;
+        if are_markers {
             markers = Some(of_lines.into_iter().map(|v| v as i32).collect());
-        } else {
-            let values = cells.pick(&values, false);
+        } else if !of_lines.iter().all(says_nothing) {
+            notes.push(format!("what {name:?} says about lines is not kept"));
+        }
+        let is_of_lines = are_markers && name == MARKER;
+        if !is_of_lines && !cells.triangles.is_empty() {
+            let values = cells.of_triangles(&values);
             of_triangles.push(Attribute { name, values });
         }
     }
@@ -204,8 +164,8 @@ fn part(data: Vec<Attribute>, cells: &Cells) -> (Vec<Attribute>, Option<Vec<i32>
 }
 
 /// Tells whether numbers named as markers can be kept as such, to the last digit.
-fn are_markers(head: &ArrayHead, values: &[f64]) -> bool {
-    head.is_integer() && values.iter().all(|&v| is_marker(v))
+fn are_markers(data: &Data) -> bool {
+    data.are_integers && data.values.iter().all(|&v| is_marker(v))
 }
 
 fn is_marker(value: f64) -> bool {
@@ -213,10 +173,13 @@ fn is_marker(value: f64) -> bool {
 }
 
 /// Adds an array to `data`: as it is, or each of its components.
-fn split(head: ArrayHead, values: Vec<f64>, data: &mut Vec<Attribute>) -> Result<(), Problem> {
-    let ArrayHead {
-        name, components, ..
-    } = head;
+fn split(given: Data, data: &mut Vec<Attribute>) -> Result<(), Problem> {
+    let Data {
+        name,
+        components,
+        values,
+        ..
+    } = given;
     if components == 1 {
         data.push(Attribute { name, values });
         return Ok(());
@@ -236,19 +199,6 @@ fn split(head: ArrayHead, values: Vec<f64>, data: &mut Vec<Attribute>) -> Result
     Ok(())
 }
 
-/// Returns the third coordinates as an attribute, unless all are zero.
-fn heights(coordinates: &[f64], attributes: &[Attribute]) -> Option<Attribute> {
-    let (rows, _) = coordinates.as_chunks::<3>();
-    if rows.iter().all(|row| row[2] == 0.0) {
-        return None;
-    }
-    let taken = attributes.iter().any(|a| a.name == "z");
-    Some(Attribute {
-        name: if taken { "Points_2" } else { "z" }.to_owned(),
-        values: rows.iter().map(|row| row[2]).collect(),
-    })
-}
-
 /// Returns the points of the plane, which must be finite.
 fn plane(coordinates: &[f64], watch: &dyn Watch) -> Result<Vec<Point>, Stop> {
     let (rows, _) = coordinates.as_chunks::<3>();
@@ -265,26 +215,6 @@ fn plane(coordinates: &[f64], watch: &dyn Watch) -> Result<Vec<Point>, Stop> {
         points.push(Point::new(x, y));
     }
     Ok(points)
-}
-
-/// Takes the corners of a cell as vertices, which must exist.
-fn vertices<const N: usize>(
-    (item, cell): (&'static str, usize),
-    corners: [f64; N],
-    num_vertices: usize,
-) -> Result<[VertexId; N], Problem> {
-    let is_vertex = |v: f64| (0.0..num_vertices as f64).contains(&v) && v.fract() == 0.0;
-    match corners.into_iter().find(|&v| !is_vertex(v)) {
-        None => Ok(corners.map(|v| VertexId::new(v as usize))),
-        Some(index) => Err(Problem::BadIndex {
-            item,
-            row: cell as u64,
-            target: "vertex",
-            index: index as i64,
-            limit: num_vertices as u64,
-            base: 0,
-        }),
-    }
 }
 
 fn check_declared(items: &str, declared: Option<u64>, found: usize) -> Result<(), Problem> {

@@ -1,7 +1,8 @@
 //! Reading: a walk over the elements that collects the arrays.
 
-use super::array::{ArrayHead, Encoding, attribute};
-use super::grid::Grid;
+use super::array::{Appended, ArrayHead, attribute};
+use super::grid::{Data, Grid};
+use super::packed::{Budget, Encoding};
 use super::{Stop, other};
 use crate::{Error, MeshData, Place, Problem, scan};
 use delone::{Phase, Watch};
@@ -11,6 +12,9 @@ use std::borrow::Cow;
 
 /// Elements whose arrays are read.
 const SECTIONS: [&[u8]; 4] = [b"Points", b"Cells", b"PointData", b"CellData"];
+
+/// The one way of compression that is understood.
+const ZLIB: &str = "vtkZLibDataCompressor";
 
 /// Tells whether the bytes begin like a VTK file.
 pub(crate) fn sniff(head: &[u8]) -> bool {
@@ -30,18 +34,55 @@ pub(crate) fn read_mesh(file: &str, bytes: &[u8], watch: &dyn Watch) -> Result<M
     if bytes.trim_ascii().is_empty() {
         return Err(at(Place::File, Problem::Empty.into()));
     }
-    let mut reader = Reader::from_reader(bytes);
-    let mut walk = Walk::new(watch);
+    let (elements, tail) = part(bytes);
+    let mut reader = Reader::from_reader(elements);
+    let mut walk = Walk::new(tail, bytes.len(), watch);
     let outcome = walk.read(&mut reader);
     outcome.map_err(|stop| at(Place::Byte(reader.buffer_position()), stop))?;
     let mesh = walk.grid.into_mesh(watch);
     mesh.map_err(|stop| at(Place::File, stop))
 }
 
+/// Parts the elements from what is appended behind them: that may be bytes, which are no XML.
+fn part(bytes: &[u8]) -> (&[u8], Option<Tail<'_>>) {
+    let Some(start) = memchr::memmem::find(bytes, b"<AppendedData") else {
+        return (bytes, None);
+    };
+    let end = memchr::memchr(b'>', &bytes[start..]);
+    let end = end.map_or(bytes.len(), |end| start + end + 1);
+    let (element, rest) = (&bytes[start..end], &bytes[end..]);
+    // The data begin behind an underscore.
+    let begin = memchr::memchr(b'_', rest).map_or(rest.len(), |place| place + 1);
+    let closing = memchr::memmem::rfind(rest, b"</AppendedData");
+    let data = rest
+        .get(begin..closing.unwrap_or(rest.len()))
+        .unwrap_or(&[]);
+    let is_raw = memchr::memmem::find(element, b"raw").is_some();
+    let behind = &rest[closing.unwrap_or(rest.len())..];
+    let tail = Tail {
+        is_complete: memchr::memmem::find(behind, b"</VTKFile").is_some(),
+        data: Appended {
+            bytes: if is_raw { data } else { data.trim_ascii_end() },
+            is_raw,
+        },
+    };
+    (&bytes[..end], Some(tail))
+}
+
+/// What stands behind the elements.
+#[derive(Clone, Copy)]
+struct Tail<'a> {
+    data: Appended<'a>,
+    /// Whether the root element is closed behind it.
+    is_complete: bool,
+}
+
 /// Where in the file the reader stands, and what it has collected.
 struct Walk<'a, 'w> {
     watch: &'w dyn Watch,
     encoding: Encoding,
+    budget: Budget,
+    tail: Option<Tail<'a>>,
     grid: Grid,
     pieces: usize,
     /// The section that arrays belong to, empty outside of all.
@@ -73,10 +114,12 @@ impl<'a> OpenArray<'a> {
 }
 
 impl<'a, 'w> Walk<'a, 'w> {
-    fn new(watch: &'w dyn Watch) -> Self {
+    fn new(tail: Option<Tail<'a>>, size: usize, watch: &'w dyn Watch) -> Self {
         Self {
             watch,
             encoding: Encoding::default(),
+            budget: Budget::of_file(size),
+            tail,
             grid: Grid::default(),
             pieces: 0,
             section: b"",
@@ -121,6 +164,8 @@ impl<'a, 'w> Walk<'a, 'w> {
         match start.name().as_ref() {
             b"VTKFile" => self.root(start)?,
             b"Piece" => self.piece(start)?,
+            // Nothing but this follows.
+            b"AppendedData" => self.complete = self.tail.is_some_and(|tail| tail.is_complete),
             b"DataArray" if !self.section.is_empty() => {
                 self.array = Some(OpenArray {
                     head: ArrayHead::read(start)?,
@@ -142,12 +187,33 @@ impl<'a, 'w> Walk<'a, 'w> {
         if let Some(array) = self.array.as_mut().filter(|array| array.depth > 0) {
             array.depth -= 1;
         } else if let Some(OpenArray { head, text, .. }) = self.array.take() {
-            let values = head.decode(self.encoding, &text, self.watch)?;
-            self.grid.keep(self.section, head, values)?;
+            let data = head.decode(
+                self.encoding,
+                &text,
+                self.tail.map(|tail| tail.data),
+                &mut self.budget,
+                self.watch,
+            )?;
+            self.keep(data)?;
         } else if name == self.section {
             self.section = b"";
         } else if name == b"VTKFile" {
             self.complete = true;
+        }
+        Ok(())
+    }
+
+    /// Keeps an array, if it is one that a mesh needs.
+    fn keep(&mut self, data: Data) -> Result<(), Problem> {
+        match (self.section, data.name.as_str()) {
+            (b"Points", _) if data.components == 3 => self.grid.points = data.values,
+            (b"Points", _) => return Err(other("points must have 3 components")),
+            (b"Cells", "connectivity") => self.grid.connectivity = data.values,
+            (b"Cells", "offsets") => self.grid.offsets = data.values,
+            (b"Cells", "types") => self.grid.types = data.values,
+            (b"PointData", _) => self.grid.add_point_data(data)?,
+            (b"CellData", _) => self.grid.add_cell_data(data)?,
+            _ => {}
         }
         Ok(())
     }
@@ -174,12 +240,15 @@ impl<'a, 'w> Walk<'a, 'w> {
                 "VTK type {kind}: only UnstructuredGrid is understood"
             )));
         }
-        if attribute(start, "compressor")?.is_some() {
-            return Err(other(
-                "compressed data are not understood; write without compression",
-            ));
+        let compressor = attribute(start, "compressor")?;
+        if let Some(other_one) = compressor.as_deref().filter(|c| *c != ZLIB) {
+            return Err(other(format!(
+                "data are compressed by {other_one}: only {ZLIB} is understood; write with that, or without \
+                 compression"
+            )));
         }
         self.encoding = Encoding {
+            compressed: compressor.is_some(),
             big_endian: attribute(start, "byte_order")?.as_deref() == Some("BigEndian"),
             wide_counts: attribute(start, "header_type")?.as_deref() == Some("UInt64"),
         };

@@ -56,10 +56,7 @@ fn write_cells(
     edges: &[[VertexId; 2]],
 ) -> Result<(), Error> {
     let (m, k) = (mesh.triangles.len(), edges.len());
-    let cells = || {
-        let of_triangles = (0..m).map(|t| triangle(mesh, t));
-        of_triangles.chain((0..k).map(|e| line(mesh, edges[e], e)))
-    };
+    let cells = || (0..m + k).map(|i| cell(mesh, i));
     out.text(format_args!("<Cells>\n"))?;
     let nodes = cells().map(|cell| cell.len).sum();
     let of_cells = cells().flat_map(|cell| cell.nodes.into_iter().take(cell.len));
@@ -76,10 +73,24 @@ fn write_cells(
 }
 
 /// A cell: its type, and the first `len` of `nodes`.
-struct Cell {
-    kind: u8,
-    len: usize,
-    nodes: [VertexId; 6],
+pub(crate) struct Cell {
+    pub kind: u8,
+    pub len: usize,
+    pub nodes: [VertexId; 6],
+}
+
+/// Makes a cell of a triangle or, behind these, of a constrained edge.
+pub(crate) fn cell(mesh: &MeshView<'_>, i: usize) -> Cell {
+    match (i.checked_sub(mesh.triangles.len()), mesh.constraints) {
+        (Some(e), Some(constraints)) => line(mesh, constraints.edges[e], e),
+        _ => triangle(mesh, i),
+    }
+}
+
+/// Returns the regions of triangles, if they are known; −1 where there is none.
+pub(crate) fn regions<'a>(mesh: &MeshView<'a>) -> Option<impl Iterator<Item = i32> + use<'a>> {
+    let regions = mesh.constraints?.region_of.as_ref()?;
+    Some(regions.iter().map(|r| r.map_or(-1, |r| r as i32)))
 }
 
 /// Makes the cell of a triangle. Midpoints are those opposite its corners, but VTK begins with the one
@@ -126,10 +137,8 @@ fn write_cell_markers(
         return Ok(());
     };
     let (m, k) = (mesh.triangles.len(), constraints.edges.len());
-    let regions = constraints.region_of.as_ref().map(|regions| {
-        let regions = regions.iter().map(|r| r.map_or(-1, |r| r as i32));
-        (regions.chain(std::iter::repeat_n(-1, k)), m + k)
-    });
+    let regions = regions(mesh);
+    let regions = regions.map(|regions| (regions.chain(std::iter::repeat_n(-1, k)), m + k));
     integers(out, "region", regions)?;
     let none = std::iter::repeat_n(0, m);
     let markers = none.chain(edge_markers.iter().copied());

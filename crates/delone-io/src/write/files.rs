@@ -26,8 +26,16 @@ pub(super) enum Content {
     NpyTriangles,
     NpyPoints,
     NpySegments,
+    #[cfg(feature = "parquet")]
+    ParquetTriangles,
+    #[cfg(feature = "parquet")]
+    ParquetPoints,
+    #[cfg(feature = "parquet")]
+    ParquetSegments,
     GeoJson,
     Vtu,
+    /// A format whose file holds all of it.
+    Single(Format),
     Svg,
     Png,
     /// Triangle's `.v.node` and `.v.edge`.
@@ -47,6 +55,13 @@ impl Content {
             Self::Poly | Self::NpySegments => k,
             Self::WholePoly => n + k,
             Self::GeoJson => m + k,
+            #[cfg(feature = "parquet")]
+            Self::ParquetTriangles => m,
+            #[cfg(feature = "parquet")]
+            Self::ParquetPoints => n,
+            #[cfg(feature = "parquet")]
+            Self::ParquetSegments => k,
+            Self::Single(_) => n + m + k,
             Self::Vtu => {
                 n * (1 + mesh.attributes.len()) + (m + k) * (5 + mesh.triangle_attributes.len())
             }
@@ -60,7 +75,11 @@ impl Content {
         match self {
             Self::Node | Self::Edge | Self::Neigh | Self::Poly | Self::WholePoly => true,
             Self::VoronoiEdges => true,
-            Self::Vtu => mesh.is_quadratic || mesh.constraints.is_some(),
+            Self::Vtu | Self::Single(_) => mesh.is_quadratic || mesh.constraints.is_some(),
+            #[cfg(feature = "parquet")]
+            Self::ParquetSegments => true,
+            #[cfg(feature = "parquet")]
+            Self::ParquetTriangles | Self::ParquetPoints => false,
             Self::Ele => mesh.is_quadratic,
             Self::NpySegments | Self::GeoJson => mesh.constraints.is_some(),
             Self::NpyTriangles | Self::NpyPoints | Self::Svg | Self::Png => false,
@@ -91,7 +110,7 @@ pub(super) fn of_mesh(
         if mesh.is_quadratic && !format.writes_quadratic_mesh() {
             let action = "hold triangles of six nodes";
             return Err(unsupported(target, format, action, |f| {
-                matches!(f, Format::Node | Format::Ele | Format::Vtu)
+                f.writes_quadratic_mesh() && !f.is_picture()
             }));
         }
         for file in of_target(target, mesh.constraints.is_some(), options.one_by_one)? {
@@ -136,12 +155,24 @@ fn of_target(
             let has_graph = is_constrained || poly::is_graph(&path.with_extension("poly"));
             FAMILY[..if has_graph { 5 } else { 4 }].to_vec()
         }
-        (Some(_), Format::Npy) => {
+        (Some(path), Format::Npy) => {
             let mut family = vec![
                 ("", Content::NpyTriangles),
                 ("points.npy", Content::NpyPoints),
             ];
-            family.extend(is_constrained.then_some(("segments.npy", Content::NpySegments)));
+            // As for the `.poly` above.
+            let has_segments = is_constrained || path.with_extension("segments.npy").is_file();
+            family.extend(has_segments.then_some(("segments.npy", Content::NpySegments)));
+            family
+        }
+        #[cfg(feature = "parquet")]
+        (Some(path), Format::Parquet) => {
+            let mut family = vec![
+                ("", Content::ParquetTriangles),
+                ("points.parquet", Content::ParquetPoints),
+            ];
+            let has_segments = is_constrained || path.with_extension("segments.parquet").is_file();
+            family.extend(has_segments.then_some(("segments.parquet", Content::ParquetSegments)));
             family
         }
         (_, format) => match alone(format, is_constrained) {
@@ -179,6 +210,9 @@ fn alone(format: Format, is_constrained: bool) -> Option<Content> {
         Format::Vtu => Some(Content::Vtu),
         Format::Svg => Some(Content::Svg),
         Format::Png => Some(Content::Png),
-        Format::Table | Format::Wkt | Format::Gif | Format::Html => None,
+        #[cfg(feature = "parquet")]
+        Format::Parquet => Some(Content::ParquetTriangles),
+        format if format.writes_mesh() => Some(Content::Single(format)),
+        _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! Points and domains: what has no triangles yet.
 
-use super::WriteOptions;
+use super::{WriteOptions, single};
 use crate::points::unsupported;
 use crate::target::{Output, Staging};
 use crate::{Constraints, DomainData, Error, Format, MeshView, PointSet, Target};
@@ -51,6 +51,9 @@ fn write_bare(
         Format::Vtu => vtu::write(out, &mesh, &[]),
         Format::Svg => svg::write(out, &mesh, &options.picture, watch),
         Format::Png => png::write(out, &mesh, &options.picture, watch),
+        #[cfg(feature = "parquet")]
+        Format::Parquet => crate::parquet::write_points(out, &mesh),
+        format if format.writes_points() => single::write(out, format, &mesh, &[], options),
         format => Err(unsupported(
             target,
             format,
@@ -95,10 +98,10 @@ pub fn write_domain(
                 node::write(out, &mesh, mesh.markers, base)?;
                 poly::write_graph(out, &mesh, constraints.markers.as_deref(), base)
             }
-            Format::GeoJson if constraints.holes.is_empty() && constraints.regions.is_empty() => {
-                geojson::write_domain(out, domain)
-            }
-            Format::GeoJson => {
+            Format::GeoJson if !constraints.has_seeds() => geojson::write_domain(out, domain),
+            Format::GeoJson | Format::Msh | Format::Msh2 | Format::Vtk | Format::Vtu
+                if constraints.has_seeds() =>
+            {
                 let seeds = "hold holes and regions that are named by points";
                 Err(unsupported(target, format, seeds, |f| f == Format::Poly))
             }
@@ -106,6 +109,11 @@ pub fn write_domain(
             Format::Png => png::write(out, &mesh, &options.picture, watch),
             _ if constraints.is_empty() => {
                 write_bare(out, target, &domain.vertices, options, watch)
+            }
+            format if format.writes_segments() => {
+                let none = vec![0; constraints.edges.len()];
+                let markers = constraints.markers.as_deref().unwrap_or(&none);
+                single::write(out, format, &mesh, markers, options)
             }
             _ => Err(unsupported(
                 target,

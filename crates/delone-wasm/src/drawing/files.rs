@@ -97,7 +97,7 @@ fn file(name: &str, bytes: Vec<u8>) -> MemoryFile {
 }
 
 fn format_of(name: &str, bytes: &[u8]) -> Option<Format> {
-    Format::from_path(Path::new(name)).or_else(|| Format::sniff(bytes))
+    Format::detect(Some(Path::new(name)), bytes)
 }
 
 /// Tells whether the first file is one of a mesh: by itself, or with its other half beside it.

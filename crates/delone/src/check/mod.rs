@@ -36,6 +36,7 @@
 //! checked.
 
 mod adjacency;
+mod angles;
 mod boundary;
 mod certificate;
 mod cover;
@@ -45,18 +46,21 @@ mod histogram;
 mod once;
 mod positions;
 mod shape;
+mod stages;
 mod stars;
 mod statistics;
 
+pub use angles::{Below, count_below};
 pub use certificate::{Certificate, DomainNumbers, Verdict};
 pub use cover::{CoverCertificate, CoverVerdict, SpecialCase, SpecialCause, verify_cover};
 pub use defect::{Corner, Defect, Defects};
 pub use domain::{
-    Asked, Counts, DomainMesh, Encroached, Excuse, QualityVerdict, Unmet, verify_domain,
-    verify_quality,
+    Asked, CROSSING_DRIFT, Counts, DomainMesh, Encroached, Excuse, QualityVerdict, STEINER_DRIFT,
+    Unmet, verify_domain, verify_quality, verify_regions,
 };
 pub use histogram::LogHistogram;
 pub use shape::Shape;
+pub use stages::{LocalTests, StageCounts, count_stages};
 pub use statistics::{Statistics, statistics};
 
 use crate::pace::Pace;

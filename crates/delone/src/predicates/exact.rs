@@ -30,6 +30,25 @@ pub(super) fn compare_distances(p: Point, a: Point, b: Point) -> Ordering {
     dot(&u, &u).cmp(&dot(&v, &v))
 }
 
+/// Tells whether `p` is at most `radius` away from the line through two points.
+pub(super) fn line_is_near([a, b]: [Point; 2], radius: f64, p: Point) -> bool {
+    let arm = [Point::default(), Point::new(radius, 0.0)];
+    let [u, v, arm] = along([[a, b], [a, p], arm]).0;
+    let cross = cross(&u, &v);
+    &cross * &cross <= dot(&arm, &arm) * dot(&u, &u)
+}
+
+/// Tells whether the angle at the apex is less than the acute one whose cosine has the square `square`.
+pub(super) fn is_sharper(apex: Point, sides: [Point; 2], square: f64) -> bool {
+    let [u, v] = vectors(sides, apex);
+    let along = dot(&u, &v);
+    let square = Dyadic::new(square);
+    // Below 1, so its exponent is negative.
+    let unit = square.exponent.min(0);
+    let scaled = square.in_units_of(unit) * dot(&u, &u) * dot(&v, &v);
+    sign(&along) == Ordering::Greater && (&along * &along) << unit.unsigned_abs() > scaled
+}
+
 /// Compares the squared lengths of two segments.
 pub(super) fn compare_lengths(s: [Point; 2], t: [Point; 2]) -> Ordering {
     let [u, v] = along([s, t]).0;
@@ -299,7 +318,7 @@ pub(super) fn weighted_sum(points: [Point; 3], weights: &[BigInt; 3]) -> ([BigIn
 }
 
 /// Finds the vectors from `origin` to `points`, up to a common factor.
-fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
+pub(super) fn vectors<const K: usize>(points: [Point; K], origin: Point) -> [[BigInt; 2]; K] {
     let unit = common_unit(&points).min(common_unit(&[origin]));
     let origin = scaled(origin, unit);
     points.map(|p| minus(&scaled(p, unit), &origin))

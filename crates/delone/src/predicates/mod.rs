@@ -30,12 +30,15 @@ mod double;
 mod dyadic;
 mod exact;
 mod filter;
+mod fraction;
 mod integer;
 mod perturbation;
 mod polynomial;
 mod power;
 mod quotient;
 mod radius;
+mod reach;
+mod slope;
 pub mod stage;
 
 pub(crate) use barycentric::Barycentric;
@@ -45,11 +48,13 @@ pub(crate) use double::Double;
 pub(crate) use filter::{
     IN_CIRCLE_BOUND, ORIENT2D_BOUND, compare_squares, in_circle_relative, squared_length,
 };
+pub use fraction::fraction_along;
 pub use power::{
     Weighted, compare_powers, in_power_circle, in_power_circle_perturbed, in_power_segment,
     in_power_segment_perturbed, power_center,
 };
 pub(crate) use power::{compare_power_meetings, power_place};
+pub use slope::angles_are_at_least;
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -251,6 +256,42 @@ pub(crate) fn compare_squared(p: Point, [a, b]: [Point; 2], [al, bl]: [f64; 2]) 
 pub fn in_disc(center: Point, radius: f64, p: Point) -> CircleSide {
     let arm = [Point::new(0.0, 0.0), Point::new(radius, 0.0)];
     CircleSide::from_sign(compare_lengths([center, p], arm).reverse())
+}
+
+/// Tells whether `p` is at most `radius` away from the segment between two points, ends included. The radius
+/// must be finite and not negative.
+///
+/// Laws, for all finite points: symmetric in the ends; if they are equal, that of [`in_disc`]; with a radius of
+/// zero, true for the ends and what [is between](is_between) them.
+///
+/// ```
+/// use delone::predicates::is_near_segment;
+/// let [a, b, p] = [(0.0, 0.0), (8.0, 0.0), (11.0, 4.0)].map(Into::into);
+/// assert!(is_near_segment([a, b], 5.0, p) && !is_near_segment([a, b], 5.0_f64.next_down(), p));
+/// ```
+pub fn is_near_segment([a, b]: [Point; 2], radius: f64, p: Point) -> bool {
+    let is_beside = |from: Point, to: Point| towards([from, to], [from, p]).is_gt();
+    if is_beside(a, b) && is_beside(b, a) {
+        return reach::line_is_near([a, b], radius, p);
+    }
+    [a, b]
+        .iter()
+        .any(|&end| in_disc(end, radius, p) != CircleSide::Outside)
+}
+
+/// Tells whether the angle from `a` over `apex` to `b`, at most 180°, is less than the acute angle whose cosine
+/// has the square `square`, a number from 0 to 1. A side of no length has no angle.
+///
+/// Laws, for all finite points: symmetric in `a` and `b`; monotone in `square`.
+///
+/// ```
+/// use delone::predicates::is_sharper;
+/// let [o, a, b] = [(0.0, 0.0), (5.0, 0.0), (7.0, 7.0)].map(Into::into);
+/// assert!(!is_sharper(o, a, b, 0.5)); // 45° are not less than 45°
+/// assert!(is_sharper(o, a, b, 0.25)); // but less than 60°
+/// ```
+pub fn is_sharper(apex: Point, a: Point, b: Point, square: f64) -> bool {
+    reach::is_sharper(apex, [a, b], square)
 }
 
 /// Tells where `p` lies relative to the circle with diameter `ab`.

@@ -64,6 +64,25 @@ impl Octagon {
         self
     }
 
+    /// Bounds everything that is at most `radius` away from a point.
+    fn around(p: Point, radius: f64) -> Self {
+        const SHARE: f64 = f64::EPSILON * 8.0;
+        let margin = SHARE * p.x.abs() + SHARE * p.y.abs() + f64::MIN_POSITIVE;
+        let [reach, diagonal] =
+            [1.0, std::f64::consts::SQRT_2].map(|factor| radius * factor * (1.0 + SHARE) + margin);
+        let reaches = [reach, reach, diagonal, diagonal];
+        let middle = Self::of_point(p).least;
+        // A sum that overflows bounds nothing.
+        let bound = |k: usize, reach: f64| match middle[k].is_finite() {
+            true => middle[k] + reach,
+            false => reach * f64::INFINITY,
+        };
+        Self {
+            least: std::array::from_fn(|k| bound(k, -reaches[k])),
+            largest: std::array::from_fn(|k| bound(k, reaches[k])),
+        }
+    }
+
     #[inline]
     fn union(&self, other: &Self) -> Self {
         let lesser = |a: f64, b: f64| if b < a { b } else { a };
@@ -219,6 +238,42 @@ impl BoxTree {
             ends.get(k)
                 .map_or(Octagon::EMPTY, |&ends| Octagon::of_segment(ends))
         })
+    }
+
+    /// Visits all items that are at most `radius` away from `p`, and some that are not, as long as `visit`
+    /// returns true.
+    pub fn near(
+        &self,
+        p: Point,
+        radius: f64,
+        stack: &mut Stack,
+        mut visit: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let disc = Octagon::around(p, radius);
+        let square = disc.diagonals();
+        // Strips cannot judge what overflows.
+        let is_finite = square.as_flattened().iter().all(Point::is_finite);
+        let top = self.levels.len() - 1;
+        stack.0.clear();
+        stack.0.extend(self.levels[top].first().map(|_| (top, 0)));
+        while let Some((level, node)) = stack.0.pop() {
+            let Node { bounds, slab } = &self.levels[level][node];
+            if !bounds.overlaps(&disc) || (is_finite && !slab.may_hold(&square)) {
+                continue;
+            }
+            if level > 0 {
+                let children = FAN * node..(FAN * node + FAN).min(self.levels[level - 1].len());
+                stack.0.extend(children.map(|child| (level - 1, child)));
+                continue;
+            }
+            let boxes = self.boxes(node);
+            for (i, bounds) in self.leaf(node).zip(&boxes) {
+                if bounds.overlaps(&disc) && !visit(self.items[i]) {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     /// Visits items whose boxes reach over or below `p`, those that reach higher mostly first. `visit`
@@ -409,6 +464,45 @@ mod tests {
             [Point::new(x, y), end]
         };
         (0..n).map(|_| segment()).collect()
+    }
+
+    #[test]
+    fn what_is_near_is_visited() {
+        use crate::predicates::is_near_segment;
+        for (size, radius) in [
+            (0.01, 0.02),
+            (0.5, 0.003),
+            (0.0, 0.05),
+            (0.1, 0.0),
+            (0.1, 1e308),
+        ] {
+            let segments = scattered(900, size);
+            let tree = tree(&segments, 0);
+            let mut stack = Stack::default();
+            for &[p, _] in &scattered(40, 0.3) {
+                let mut seen = Vec::new();
+                tree.near(p, radius, &mut stack, |s| {
+                    seen.push(s);
+                    true
+                });
+                let is_near = |s: &u32| is_near_segment(segments[*s as usize], radius, p);
+                let missed = (0..900).filter(is_near).find(|s| !seen.contains(s));
+                assert_eq!(missed, None, "{size} {radius} {p:?}");
+            }
+        }
+        let far = Point::new(f64::MAX, f64::MAX);
+        let tree = tree(&[[far; 2]], 0);
+        let mut seen = 0;
+        tree.near(
+            Point::new(f64::MAX, 1.7e308),
+            1e307,
+            &mut Stack::default(),
+            |_| {
+                seen += 1;
+                true
+            },
+        );
+        assert_eq!(seen, 1);
     }
 
     fn tree(segments: &[[Point; 2]], first: u32) -> BoxTree {

@@ -17,7 +17,7 @@ impl<T> Default for Listed<T> {
 }
 
 /// Counts all that is added and keeps the least `limit` of it.
-pub(super) struct First<K> {
+pub(crate) struct First<K> {
     limit: usize,
     count: u64,
     kept: Vec<K>,

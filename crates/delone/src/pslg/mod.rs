@@ -8,9 +8,11 @@
 mod boxes;
 mod chains;
 mod facts;
+mod hash;
 pub(crate) mod input;
 mod listed;
 mod meeting;
+mod near;
 mod noding;
 mod pieces;
 mod rings;
@@ -22,7 +24,10 @@ mod vertices;
 
 pub(crate) use chains::Chains;
 pub use facts::{Facts, SegmentCrossing, VertexOnSegment};
+pub use hash::PslgHash;
+pub(crate) use listed::First;
 pub use listed::Listed;
+pub(crate) use near::{Nearby, Scratch};
 pub(crate) use noding::{Noding, first_crossing, node};
 pub use rings::Ring;
 

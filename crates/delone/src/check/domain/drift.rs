@@ -2,7 +2,7 @@
 //!
 //! Where segments cross, the point is rounded, and a piece that has been bent may be cut again: a few
 //! rounds of at most half a unit in the last place each. A vertex is *near* a segment if it lies in the
-//! segment's bounding box, which rounding never leaves, and the box of [`ULPS`] units around the vertex
+//! segment's bounding box, which rounding never leaves, and the box of [`CROSSING_DRIFT`] units around the vertex
 //! meets the segment, the unit of an axis being that of the segment's largest coordinate. The box is
 //! rounded; whether it meets the segment is decided exactly.
 //!
@@ -13,12 +13,12 @@
 //! to one with drift e is (1 − t) d + t e + 1½ at most, and of the two ends one is two levels older. t lies
 //! between a quarter and three quarters, so a level adds no more than 1½ / 1.25 = 1.2 units, and a
 //! subsegment 2ᵏ times shorter than its segment is the work of k / log₂ (4/3) = 2.41 k levels at
-//! most: less than [`ULPS_PER_HALVING`] units for each k. The step to a vertex is no longer than the piece
+//! most: less than [`STEINER_DRIFT`] units for each k. The step to a vertex is no longer than the piece
 //! that the vertex once cut off, so its length tells.
 //!
 //! Only beside a vertex that leaves no room between, nearer than 2¹⁰ units, a subsegment is split at any t.
 //! Such a split may add 1½ units and halve nothing. It is not proven that a segment has few of them one
-//! upon the other: [`ULPS`] leaves room for five, beside what noding takes, and the errors of rounding would
+//! upon the other: [`CROSSING_DRIFT`] leaves room for five, beside what noding takes, and the errors of rounding would
 //! have to be of one sign. A chain that drifts farther is reported as a defect, never let pass.
 //!
 //! A segment that is nearly parallel to an axis may be left by such a move across it, out of the
@@ -29,12 +29,12 @@ use crate::Point;
 use crate::predicates::{Orientation, orient2d};
 use std::cmp::Ordering;
 
-/// Units in the last place by which a vertex may lie off its segment, along each axis: sixteen rounds,
-/// twice as many as have ever been seen.
-const ULPS: f64 = 8.0;
+/// Units in the last place by which a vertex may lie off its segment, along each axis, the unit being that of the
+/// segment's largest coordinate there: sixteen rounds, twice as many as have ever been seen.
+pub const CROSSING_DRIFT: f64 = 8.0;
 
 /// Further units that a Steiner point may lie off, each time the segment has been halved.
-const ULPS_PER_HALVING: f64 = 3.0;
+pub const STEINER_DRIFT: f64 = 3.0;
 
 /// Most halvings that count: there are no more between neighbouring `f64` of one size.
 const MOST_HALVINGS: f64 = 64.0;
@@ -122,11 +122,11 @@ impl Corridor {
 
     /// Returns how far off the segment `q` may lie on each axis, at the end of a step from `p`.
     fn drift(&self, p: Point, q: Point) -> [f64; 2] {
-        let mut ulps = ULPS;
+        let mut ulps = CROSSING_DRIFT;
         if self.is_refined {
             let [whole, step] = [[self.from, self.to], [p, q]]
                 .map(|[a, b]| extents(a, b).into_iter().fold(0.0, f64::max));
-            ulps += ULPS_PER_HALVING * halvings(whole, step);
+            ulps += STEINER_DRIFT * halvings(whole, step);
         }
         self.unit.map(|unit| ulps * unit)
     }

@@ -54,7 +54,7 @@
 //! [`DomainRule::Hull`] the hull is then split and rounded like any segment: the edges of the *input's*
 //! hull are segments, and the domain is what their chains enclose. All else stays proven as above.
 //!
-//! This module does not check regions, nor that added vertices are rounded correctly. The seed of a hole
+//! [`verify_domain`] does not look at regions, [`verify_regions`] does; neither checks that added vertices are rounded correctly. The seed of a hole
 //! that lies within the drift of a segment may be found on its other side.
 
 mod area;
@@ -71,6 +71,7 @@ mod input;
 mod places;
 mod planar;
 mod quality;
+mod regional;
 mod rule;
 mod sort;
 mod sweep;
@@ -78,8 +79,10 @@ mod union;
 
 use super::certificate::DomainNumbers;
 pub use claim::DomainMesh;
+pub use drift::{CROSSING_DRIFT, STEINER_DRIFT};
 pub(super) use planar::{Meeting, find_meeting};
 pub use quality::{Asked, Counts, Encroached, Excuse, QualityVerdict, Unmet, verify_quality};
+pub use regional::verify_regions;
 
 use super::{Certificate, Corner, Defect, Defects, Verdict, Verifier, adjacency, require_points};
 use crate::pace::Pace;

@@ -28,7 +28,7 @@
 mod corners;
 mod excuse;
 mod paths;
-mod regions;
+pub(super) mod regions;
 mod verdict;
 
 pub use excuse::Excuse;
@@ -154,7 +154,7 @@ pub fn verify_quality(
 }
 
 /// Lists where the seeds of regions lie.
-fn region_seeds(input: &Pslg, pace: &mut Pace) -> Result<Vec<Point>, Error> {
+pub(super) fn region_seeds(input: &Pslg, pace: &mut Pace) -> Result<Vec<Point>, Error> {
     for (region, &crate::Region { at, .. }) in input.regions.iter().enumerate() {
         pace.step()?;
         if !at.is_finite() {

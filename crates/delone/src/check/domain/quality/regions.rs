@@ -9,7 +9,7 @@ use crate::Error;
 use crate::pace::Pace;
 
 /// Returns the region of each triangle. *Cost*: near linear.
-pub(super) fn find(found: &Found, pace: &mut Pace) -> Result<Vec<Option<usize>>, Error> {
+pub(in super::super) fn find(found: &Found, pace: &mut Pace) -> Result<Vec<Option<usize>>, Error> {
     let Found {
         triangles,
         adjacency,

@@ -1,0 +1,142 @@
+//! Lineage: which feature of the input each vertex, constrained edge and triangle comes from.
+//!
+//! The table has a row for every vertex, in the order of the mesh; for every constrained edge and segment that runs
+//! along it, segment by segment in the order of the way along it; and, if the input has regions, for every triangle. All numbers count from 0, whatever
+//! the files do. A place on a segment is the fraction of the way from its first end to its second: with t, the
+//! weights of the ends are 1 − t and t, and they sum to 1 exactly, since t is a multiple of 2⁻⁵²
+//! ([`fraction_along`]).
+//!
+//! A free Steiner point has no weights: it is no average of features. Which polygon of the input a triangle lies in
+//! is not said; regions tell.
+
+mod read;
+mod verify;
+mod write;
+
+use crate::{Error, cancel};
+use delone::predicates::fraction_along;
+use delone::{ConstrainedTriangulation, Origin, Triangulation, VertexId, Watch};
+
+/// A place on a segment of the input, or on an edge of its convex hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along {
+    /// The number of the segment; those of hull edges follow behind the segments of the input.
+    pub segment: usize,
+    /// How far along it: the weight of its second end.
+    pub at: f64,
+}
+
+/// Where a vertex comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum OfVertex {
+    /// It is the point of the input of the same number.
+    Input,
+    /// Likewise, but it equals an earlier one, which stands for it.
+    Duplicate(VertexId),
+    /// Two segments cross there; the first pair, if more do.
+    Crossing([Along; 2]),
+    /// A Steiner point on a segment; the first one, if more run there.
+    OnSegment(Along),
+    /// A Steiner point on no segment.
+    Free,
+}
+
+/// Where a constrained edge comes from: one segment that runs along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OfEdge {
+    /// The number of the segment; those of hull edges follow behind the segments of the input.
+    pub segment: usize,
+    /// Its ends, in the direction of the segment.
+    pub ends: [VertexId; 2],
+    /// How far along the segment they are.
+    pub at: [f64; 2],
+}
+
+/// The table of lineage of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lineage {
+    /// Of each vertex.
+    pub vertices: Vec<OfVertex>,
+    /// Of each constrained edge, once for each segment along it; grouped by segment, in the order of the way.
+    pub edges: Vec<OfEdge>,
+    /// The region of each triangle, if the input has regions.
+    pub regions: Option<Vec<Option<usize>>>,
+    /// How many segments the input has; the numbers from there on are edges of its convex hull.
+    pub num_segments: usize,
+}
+
+impl Lineage {
+    /// Takes the lineage of a triangulation of bare points. *Cost*: linear.
+    pub fn of_points(triangulation: &Triangulation) -> Self {
+        let mut vertices = vec![OfVertex::Input; triangulation.points().len()];
+        for duplicate in triangulation.duplicates() {
+            vertices[duplicate.dropped.index()] = OfVertex::Duplicate(duplicate.kept);
+        }
+        Self {
+            vertices,
+            ..Self::default()
+        }
+    }
+
+    /// Takes the lineage of the triangulation of a domain. *Cost*: linear, about 60 ns a vertex on a segment.
+    ///
+    /// # Errors
+    /// If the watch cancels.
+    pub fn of_domain(t: &ConstrainedTriangulation, watch: &dyn Watch) -> Result<Self, Error> {
+        let triangulation = t.triangulation();
+        let point = |v: VertexId| triangulation.point(v);
+        let along = |segment: usize, v: VertexId| Along {
+            segment,
+            at: fraction_along(t.segments()[segment].map(point), point(v)),
+        };
+        let mut lineage = Self::of_points(triangulation);
+        lineage.num_segments = t.num_input_segments();
+        for v in t.num_input_points()..triangulation.points().len() {
+            cancel::check(watch, v)?;
+            let id = VertexId::new(v);
+            lineage.vertices[v] = match t.origin(id) {
+                Origin::Crossing(pair) => OfVertex::Crossing(pair.map(|s| along(s, id))),
+                Origin::OnSegment(segment) => OfVertex::OnSegment(along(segment, id)),
+                Origin::Free => OfVertex::Free,
+                _ => OfVertex::Input,
+            };
+        }
+        for segment in 0..t.segments().len() {
+            cancel::check(watch, segment)?;
+            let mut chain = t.chain(segment).iter();
+            let Some(&first) = chain.next() else {
+                continue;
+            };
+            let mut from = (first, along(segment, first).at);
+            for &v in chain {
+                let to = (v, along(segment, v).at);
+                lineage.edges.push(OfEdge {
+                    segment,
+                    ends: [from.0, to.0],
+                    at: [from.1, to.1],
+                });
+                from = to;
+            }
+        }
+        if !t.regions().is_empty() {
+            let triangles = (0..triangulation.num_triangles()).map(delone::TriangleId::new);
+            lineage.regions = Some(triangles.map(|triangle| t.region(triangle)).collect());
+        }
+        Ok(lineage)
+    }
+
+    /// Lists the constrained edges that have rows, each once, for meshes in formats that hold none.
+    pub fn constrained_edges(&self) -> Vec<[VertexId; 2]> {
+        let ends = self.edges.iter().map(|row| row.ends);
+        let mut edges: Vec<_> = ends.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+
+    /// Counts the rows of the table.
+    pub fn num_rows(&self) -> usize {
+        self.vertices.len() + self.edges.len() + self.regions.as_ref().map_or(0, Vec::len)
+    }
+}
