@@ -3,6 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { DiceIcon } from "../app/icons";
+import { NumberInput } from "../app/NumberInput";
 import { stage } from "../engine/client";
 import type { Preset, Source } from "../engine/protocol";
 import { open, source } from "../state/drawing";
@@ -74,12 +75,11 @@ function Size({ of, now }: { of: Preset; now: PresetSource }) {
     <div class="size">
       <label class="field">
         {say.count[of.kind === "domain" ? "segments" : "points"]}
-        <input
-          type="number"
+        <NumberInput
           min={bounds.least}
           max={bounds.most}
           value={now.count}
-          onChange={({ currentTarget: field }) => {
+          onChange={(field) => {
             const count = within(bounds, field.valueAsNumber);
             field.value = String(count);
             change({ count });
@@ -88,12 +88,11 @@ function Size({ of, now }: { of: Preset; now: PresetSource }) {
       </label>
       <label class="field">
         {say.seed}
-        <input
-          type="number"
-          min="0"
-          max="4294967295"
+        <NumberInput
+          min={0}
+          max={0xffffffff}
           value={now.seed}
-          onChange={({ currentTarget: field }) => {
+          onChange={(field) => {
             const seed = Math.min(0xffffffff, Math.max(0, Math.round(field.valueAsNumber || 0)));
             field.value = String(seed);
             change({ seed });

@@ -1,6 +1,7 @@
 // What the algorithm wants to know.
 
 import { DiceIcon } from "../app/icons";
+import { NumberInput } from "../app/NumberInput";
 import type { RunOptions } from "../engine/protocol";
 import { algorithm, options } from "../state/play";
 import { words } from "../words";
@@ -38,12 +39,11 @@ function Amount({ name }: { name: Exclude<keyof RunOptions, "domain"> }) {
     <div class="amount">
       <label class="field">
         {say[name]}
-        <input
-          type="number"
+        <NumberInput
           {...limits[name]}
           placeholder={isAlone ? "–" : placeholderOf(name)}
-          value={now[name] ?? ""}
-          onChange={(event) => put(name, event.currentTarget.valueAsNumber)}
+          value={now[name]}
+          onChange={(field) => put(name, field.valueAsNumber)}
         />
       </label>
       {name === "seed" && (

@@ -43,6 +43,21 @@ async function ring(page: Page): Promise<void> {
     await click(page, x, y);
 }
 
+test("what is being typed stays when another drawing comes", async () => {
+  const page = await theatre.visit();
+  await counts(page, 40, 0, 0);
+  const count = page.getByRole("spinbutton", { name: "Points" });
+  const seed = page.getByRole("spinbutton", { name: "Seed" }).first();
+  await count.fill("77");
+  await page.getByRole("button", { name: "Another seed" }).first().dispatchEvent("click");
+  await expect.poll(() => seed.inputValue()).not.toBe("1");
+  expect(await count.inputValue()).toBe("77");
+  await count.press("Tab");
+  await counts(page, 77, 0, 0);
+  expect(await seed.inputValue()).not.toBe("1");
+  expect(theatre.complaints).toEqual([]);
+});
+
 test("points are added, moved and removed, and taken back", async () => {
   const page = await theatre.visit();
   await counts(page, 40, 0, 0);
