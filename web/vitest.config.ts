@@ -15,8 +15,10 @@ export default defineConfig({
           include: ["tests/browser/**/*.test.ts"],
           // One browser at a time: two cores, and figures of time that mean something.
           fileParallelism: false,
-          testTimeout: 60_000,
+          // A hang shall end it, not a machine that has other things to do, too: the whole corpus takes half a minute alone.
+          testTimeout: 240_000,
           hookTimeout: 60_000,
+          expect: { poll: { timeout: 60_000 } },
         },
       },
       {

@@ -47,7 +47,7 @@ const dropping = (name: string, content: string) => async (page: Page) => {
   );
 };
 
-const counts = (page: Page, text: string) => page.getByText(`Points: ${text}`).waitFor({ timeout: 8000 });
+const counts = (page: Page, text: string) => page.getByText(`Points: ${text}`).waitFor();
 
 test.each([
   ["", 0],
@@ -71,7 +71,7 @@ test("a file dropped in the first moments stays; one that is broken leaves the u
   await page.waitForTimeout(400);
   await counts(page, "3, segments: 0, holes: 0");
   const other = await theatre.visit("", {}, dropping("three.csv", "0,0\n1,oops\n"));
-  await other.getByRole("alert").filter({ hasText: "three.csv:2" }).waitFor({ timeout: 8000 });
+  await other.getByRole("alert").filter({ hasText: "three.csv:2" }).waitFor();
   await counts(other, "40, segments: 0, holes: 0");
   expect(theatre.complaints).toEqual([]);
 });

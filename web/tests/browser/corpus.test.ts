@@ -125,7 +125,7 @@ test.skipIf(!existsSync(corpus))(
           ? page.getByText(wanted.says)
           : page.getByRole("alert").filter({ hasText: wanted.fails.slice(0, 200) });
       await sign
-        .waitFor({ timeout: 10_000 })
+        .waitFor({ timeout: 30_000 })
         .catch(async () =>
           silent.push(
             `${input.name}: ${JSON.stringify(wanted)} ${await about(page).textContent()} ${await page.locator(".notice").allTextContents()}`,

@@ -48,7 +48,7 @@ test("the newcomer's minute", async () => {
   // The sweep is there, and plays at a pace that can be followed.
   await page.getByText("Before the first step.").waitFor();
   await page.getByRole("button", { name: "Play", exact: true }).last().click();
-  await expect.poll(() => at(page), { timeout: 10_000 }).toBeGreaterThan(8);
+  await expect.poll(() => at(page)).toBeGreaterThan(8);
   await page.getByRole("button", { name: "Pause", exact: true }).click();
   expect(await said(page).textContent()).not.toBe("Before the first step.");
   // A flip, and back over it.

@@ -48,8 +48,9 @@ test("played, stepped back, opened, meshed, saved", async () => {
   await page.keyboard.press("ArrowLeft");
   await expect.poll(() => position(page)).toBeLessThan(at);
 
-  await tabTo(page, button(page, "Open …"));
+  // Playwright only begins to catch the chooser then: right before the key it would come too late at times.
   const chooser = page.waitForEvent("filechooser");
+  await tabTo(page, button(page, "Open …"));
   await page.keyboard.press("Enter");
   await (await chooser).setFiles({ name: "own.csv", mimeType: "text/csv", buffer: Buffer.from(square) });
   await page.getByText("Points: 5").waitFor();

@@ -30,7 +30,7 @@ const tab = (page: Page, name: string): Promise<void> => page.getByRole("tab", {
 /** Waits for an outcome other than the one before, and returns its triangles. */
 async function triangles(page: Page, before = ""): Promise<number> {
   const next = outcome(page).filter({ hasNotText: before || "nothing like this" });
-  await next.waitFor({ timeout: 50_000 });
+  await next.waitFor();
   return Number((await next.textContent())!.match(/([\d,]+) triangles/)![1].replaceAll(",", ""));
 }
 

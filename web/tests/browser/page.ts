@@ -16,6 +16,9 @@ const flags = [
   "--disable-sync",
 ];
 
+/** Milliseconds that anything may take to come: nothing here is a test of speed. */
+const PATIENCE = 60_000;
+
 /** The page, served, and a browser to open it in. */
 export class Theatre {
   /** What the console or an uncaught exception has complained about. */
@@ -49,6 +52,7 @@ export class Theatre {
     before: (page: Page) => Promise<unknown> = async () => {},
   ): Promise<Page> {
     const context = await this.browser.newContext({ locale: "en", ...options });
+    context.setDefaultTimeout(PATIENCE);
     const page = await context.newPage();
     await before(page);
     return this.watch(page, hash);

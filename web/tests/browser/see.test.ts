@@ -69,9 +69,9 @@ async function draws(page: Page, name: string, byKeys = false): Promise<void> {
   const before = await drawn(canvas(page));
   const now = () => drawn(canvas(page));
   await toggle();
-  await expect.poll(now, { message: name, timeout: 5000 }).toBeGreaterThan(before + 20);
+  await expect.poll(now, { message: name }).toBeGreaterThan(before + 20);
   await toggle();
-  await expect.poll(now, { message: `${name}, off`, timeout: 5000 }).toBe(before);
+  await expect.poll(now, { message: `${name}, off` }).toBe(before);
 }
 
 /** Jumps to the next moment of a kind. */
