@@ -7,7 +7,7 @@
 //! - [`plan`]: which cells are checked and timed, in which order.
 //! - [`report`]: tables in Markdown, everything in JSON; [`machine`]: what they must state.
 //! - [`refine`]: the same for refinement; [`queries`]: the same for queries, cells, surfaces and edits;
-//!   [`cover`]: the same for covers of data. All share [`effort`], [`peer`], [`workshop`], [`python`] and [`heading`].
+//!   [`cover`]: the same for covers of data; [`files`]: the same for files. All share [`effort`], [`peer`], [`workshop`], [`python`] and [`heading`].
 //!
 //! **Discipline.** Every triangulation that counts as *fresh* has a process of its own, on the same
 //! input for all engines; some warm-up processes are discarded, the median of the others counts,
@@ -20,6 +20,7 @@ pub mod cover;
 pub mod effort;
 pub mod engines;
 pub mod expected;
+pub mod files;
 pub mod heading;
 pub mod job;
 pub mod machine;

@@ -1,6 +1,7 @@
 //! `delone-bench`: measures ours and its peers, prints one table. `--help` says how.
 
 mod cover_command;
+mod files_command;
 mod peers_option;
 mod queries_command;
 mod refine_command;
@@ -42,6 +43,8 @@ enum Action {
     Queries(queries_command::Options),
     /// Measures covers of data: triangles with enough of them each, and not too many
     Cover(cover_command::Options),
+    /// Measures writing and reading of files
+    Files(files_command::Options),
     /// Does one job in this process and prints what it found as JSON; the table maker calls this
     #[command(hide = true)]
     Job(Job),
@@ -54,6 +57,9 @@ enum Action {
     /// The same for covers
     #[command(hide = true)]
     CoverJob(delone_bench::cover::job::Job),
+    /// The same for files
+    #[command(hide = true)]
+    FileJob(delone_bench::files::job::Job),
 }
 
 #[derive(Args)]
@@ -121,10 +127,12 @@ fn main() -> ExitCode {
         Some(Action::Refine(options)) => refine_command::print_tables(options, command()),
         Some(Action::Queries(options)) => queries_command::print_tables(options, command()),
         Some(Action::Cover(options)) => cover_command::print_tables(options, command()),
+        Some(Action::Files(options)) => files_command::print_tables(options, command()),
         Some(Action::Job(job)) => print_answer(job.run()),
         Some(Action::MeshJob(job)) => print_answer(job.run()),
         Some(Action::QueryJob(job)) => print_answer(job.run()),
         Some(Action::CoverJob(job)) => print_answer(job.run()),
+        Some(Action::FileJob(job)) => print_answer(job.run()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

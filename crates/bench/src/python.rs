@@ -36,6 +36,12 @@ impl Script {
         text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers/queries.py")),
     };
 
+    /// Writes and reads files.
+    pub const FILES: Self = Self {
+        name: "files.py",
+        text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers/files.py")),
+    };
+
     fn write_to(self, folder: &Path) -> io::Result<PathBuf> {
         let path = folder.join(self.name);
         std::fs::write(&path, self.text)?;
@@ -107,7 +113,11 @@ pub struct Files {
 }
 
 impl Files {
-    fn new() -> io::Result<Self> {
+    /// Makes one.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn new() -> io::Result<Self> {
         static NUMBER: AtomicUsize = AtomicUsize::new(0);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let name = format!("delone-bench-{}-{number}", std::process::id());
@@ -116,12 +126,17 @@ impl Files {
         Ok(Self { folder })
     }
 
+    /// Returns the place of a file with this name.
+    pub fn place(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
     /// Writes a file, unless it is there already, and returns where it is.
     ///
     /// # Errors
     /// Those of writing.
     pub fn keep(&self, name: &str, content: impl FnOnce() -> Vec<u8>) -> io::Result<String> {
-        let path = self.folder.join(name);
+        let path = self.place(name);
         if !path.exists() {
             std::fs::write(&path, content())?;
         }
