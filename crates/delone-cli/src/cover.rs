@@ -103,9 +103,8 @@ impl Cover {
 
         let base = task.writing.base();
         let found = phases.time("check", || Found::of(&cover, base, &progress))?;
-        let written = phases.time("write", || {
-            self.write(&outputs, &cover, &found, &mut points, &progress)
-        })?;
+        let written =
+            phases.write(|| self.write(&outputs, &cover, &found, &mut points, &progress))?;
         progress.finish();
         task.report(&found, &found.lines(), &phases, &written, quiet)
     }
@@ -142,7 +141,7 @@ impl Cover {
         mesh.triangle_attributes = &attributes;
         let mut written = writing.mesh(outputs, &mesh, progress)?;
         points.attributes.push(holders(cover, found, points));
-        written.extend(writing.sites(outputs, points, progress, &written)?);
+        written.extend(writing.sites(outputs, points, progress)?);
         Ok(written)
     }
 }
