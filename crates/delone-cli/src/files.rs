@@ -20,7 +20,7 @@ use delone_io::{
     WriteOptions,
 };
 pub use family::place;
-pub use head::{head, in_hand};
+pub use head::{head, in_hand, sniff};
 pub use input::{Input, Reading};
 use losses::Held;
 pub use notes::notes;

@@ -1,6 +1,6 @@
 //! Inputs as the command line names them, and what of them is left unused.
 
-use super::head::{head, holds_corners, in_hand, names_no_points};
+use super::head::{head, holds_corners, in_hand, names_no_points, sniff};
 use super::notes::notes;
 use super::{region, unreadable};
 use crate::exit::Failure;
@@ -116,7 +116,7 @@ impl Reading {
             }
             _ => {
                 let source = in_hand(source)?;
-                let format = Format::sniff(&head(&source));
+                let format = sniff(&source);
                 (source, format, "by its content")
             }
         };
