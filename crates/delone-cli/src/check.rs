@@ -92,7 +92,8 @@ pub struct Check {
     #[arg(long, value_enum, value_name = "RULE", requires = "domain")]
     rule: Option<Rule>,
     /// Also require that all a certificate says holds for this mesh, this domain and the files that it names,
-    /// which lie beside the mesh or the certificate; bounds and rule are those of the certificate
+    /// which lie beside the mesh or the certificate; bounds, rule and how the domain is read are those of the
+    /// certificate
     #[arg(
         long,
         value_name = "FILE",
@@ -103,10 +104,10 @@ pub struct Check {
     /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
-    #[command(flatten)]
     /// How many meshes are checked at once; by default as many as the machine runs at once
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
+    #[command(flatten)]
     bounds: Bounds,
     #[command(flatten)]
     reading: Reading,
@@ -152,10 +153,10 @@ impl Check {
     fn require_sense(&self, files: &[PathBuf]) -> Result<(), Failure> {
         let usage = |text: &str| Err(Failure::Usage(text.to_owned()));
         match self.certificate {
-            None => Ok(()),
             _ if self.jobs.is_some() && files.len() < 2 => {
                 usage("--jobs is about several files, and there is but one")
             }
+            None => Ok(()),
             Some(_) if self.bounds.is_refined() => {
                 usage("--certificate says what was asked; leave out --refined and the bounds")
             }
@@ -176,12 +177,12 @@ impl Check {
                     "mesh and {option} both want standard input; name a file for one"
                 )));
             }
-        }
             if files.len() > 1 {
                 return Err(Failure::Usage(format!(
                     "{option}: standard input can be read but once; name a file to check several meshes against"
                 )));
             }
+        }
         Ok(())
     }
 

@@ -212,7 +212,10 @@ impl Subject {
         let files = input.files().into_iter().chain(sizing.files()).chain(areas);
         let facts = files.map(|file| digest_file(&file, progress).map_err(files::unreadable));
         Ok(Self {
-            facts: InputFacts::of(&pslg, facts.collect::<Result<_, _>>()?),
+            facts: InputFacts {
+                reading: reading.given(),
+                ..InputFacts::of(&pslg, facts.collect::<Result<_, _>>()?)
+            },
             pslg,
             rule,
             sizes,
