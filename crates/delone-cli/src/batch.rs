@@ -15,7 +15,7 @@ mod table;
 use crate::exit::Failure;
 use crate::files::{Outputs, place};
 pub use naming::{Naming, expand};
-pub use runner::Run;
+pub use runner::{Results, Run};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -72,8 +72,23 @@ pub struct Unit {
     /// The place of the input; none of a sample.
     input: Option<PathBuf>,
     outputs: Outputs,
-    /// Works on so many threads; results are printed as JSON.
+    /// Works on so many threads, and prints results.
     work: Box<dyn FnOnce(usize) -> Result<(), Failure> + Send>,
+}
+
+impl Unit {
+    /// Makes work on a file that writes none.
+    pub fn reading(
+        file: &Path,
+        work: impl FnOnce() -> Result<(), Failure> + Send + 'static,
+    ) -> Self {
+        Self {
+            file: file.display().to_string(),
+            input: place(file),
+            outputs: Outputs::default(),
+            work: Box::new(|_| work()),
+        }
+    }
 }
 
 /// What a command line comes to.
@@ -92,7 +107,7 @@ pub fn run<C: Many>(command: &C, quiet: bool) -> Result<(), Failure> {
             made.into_iter().for_each(Made::keep);
             let run = Run {
                 jobs: command.batching().jobs,
-                json: command.asks_json(),
+                results: Results::tabled(command.asks_json()),
                 quiet,
             };
             run.all(units)

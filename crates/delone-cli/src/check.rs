@@ -8,7 +8,7 @@ mod presence;
 mod report;
 mod shortfall;
 
-use crate::batch;
+use crate::batch::{self, Results, Run, Unit};
 use crate::domain::Rule;
 use crate::exit::Failure;
 use crate::files::{self, Reading};
@@ -74,9 +74,9 @@ The JSON object of --json:
 /// its shortest edge is below 2^12 units in the last place of its coordinates. A triangle without an excuse
 /// fails the check.
 ///
-/// Of several files all are checked, even if some cannot be read; the exit code is then 3, and 1 if
+/// Of several files all are checked, several at once, even if some cannot be read; the exit code is then 3, and 1 if
 /// all can be read but some are wrong.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
 pub struct Check {
     /// Meshes: .ele (with the .node beside it), .npy (with .points.npy), .vtu, .msh …, or `-`
@@ -92,7 +92,8 @@ pub struct Check {
     #[arg(long, value_enum, value_name = "RULE", requires = "domain")]
     rule: Option<Rule>,
     /// Also require that all a certificate says holds for this mesh, this domain and the files that it names,
-    /// which lie beside the mesh or the certificate; bounds and rule are those of the certificate
+    /// which lie beside the mesh or the certificate; bounds, rule and how the domain is read are those of the
+    /// certificate
     #[arg(
         long,
         value_name = "FILE",
@@ -103,6 +104,9 @@ pub struct Check {
     /// Print one JSON object for each mesh that can be read, each on its own line
     #[arg(long)]
     json: bool,
+    /// How many meshes are checked at once; by default as many as the machine runs at once
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
     #[command(flatten)]
     bounds: Bounds,
     #[command(flatten)]
@@ -112,53 +116,70 @@ pub struct Check {
 impl Check {
     /// Runs the command.
     pub fn run(&self, quiet: bool) -> Result<(), Failure> {
-        self.require_one_reader_of_stdin()?;
-        self.require_sense()?;
-        let mut outcome = Ok(());
-        for file in families(&batch::expand(&self.files)?) {
-            let report = match self.check(&file, quiet) {
-                Ok(report) => report,
-                Err(failure @ Failure::BadInput(_)) => {
-                    failure.report();
-                    outcome = Err(Failure::NotAllRead);
-                    continue;
-                }
-                Err(failure) => return Err(failure),
-            };
-            if !report.is_passed() && outcome.is_ok() {
-                outcome = Err(Failure::CheckFailed);
-            }
-            if self.json {
-                files::print(&report.json())?;
-            } else if !quiet || !report.is_passed() {
-                files::print(&report.to_string())?;
-            }
+        let files = families(&batch::expand(&self.files)?);
+        self.require_one_reader_of_stdin(&files)?;
+        self.require_sense(&files)?;
+        if let [file] = &files[..] {
+            return self.judge(file, [quiet; 2]);
         }
-        outcome
+        let unit = |file: PathBuf| {
+            let command = self.clone();
+            // Of several files at once none has a bar of its own.
+            Unit::reading(&file.clone(), move || command.judge(&file, [true, quiet]))
+        };
+        let run = Run {
+            jobs: self.jobs,
+            results: Results::AsTheyAre,
+            quiet,
+        };
+        run.all(files.into_iter().map(unit).collect())
+    }
+
+    /// Checks a file and says what has been found; quiet are the work, and whoever prints that nothing is wrong.
+    fn judge(&self, file: &Path, [works_quietly, quiet]: [bool; 2]) -> Result<(), Failure> {
+        let report = self.check(file, works_quietly)?;
+        if self.json {
+            files::print(&report.json())?;
+        } else if !quiet || !report.is_passed() {
+            files::print(&report.to_string())?;
+        }
+        match report.is_passed() {
+            true => Ok(()),
+            false => Err(Failure::CheckFailed),
+        }
     }
 
     /// Requires that nothing is said twice.
-    fn require_sense(&self) -> Result<(), Failure> {
+    fn require_sense(&self, files: &[PathBuf]) -> Result<(), Failure> {
         let usage = |text: &str| Err(Failure::Usage(text.to_owned()));
         match self.certificate {
+            _ if self.jobs.is_some() && files.len() < 2 => {
+                usage("--jobs is about several files, and there is but one")
+            }
             None => Ok(()),
             Some(_) if self.bounds.is_refined() => {
                 usage("--certificate says what was asked; leave out --refined and the bounds")
             }
-            Some(_) if families(&self.files).len() > 1 => {
-                usage("--certificate is about one mesh; name one")
-            }
+            Some(_) if files.len() > 1 => usage("--certificate is about one mesh; name one"),
             Some(_) => Ok(()),
         }
     }
 
-    fn require_one_reader_of_stdin(&self) -> Result<(), Failure> {
+    fn require_one_reader_of_stdin(&self, files: &[PathBuf]) -> Result<(), Failure> {
         let is_stdin = |file: &PathBuf| file == Path::new("-");
         let others = [("--points", &self.points), ("--domain", &self.domain)];
         for (option, file) in others {
-            if file.as_ref().is_some_and(is_stdin) && self.files.iter().any(is_stdin) {
+            if !file.as_ref().is_some_and(is_stdin) {
+                continue;
+            }
+            if files.iter().any(is_stdin) {
                 return Err(Failure::Usage(format!(
                     "mesh and {option} both want standard input; name a file for one"
+                )));
+            }
+            if files.len() > 1 {
+                return Err(Failure::Usage(format!(
+                    "{option}: standard input can be read but once; name a file to check several meshes against"
                 )));
             }
         }

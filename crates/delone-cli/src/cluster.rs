@@ -115,9 +115,7 @@ impl Cluster {
             clusters.map_err(|error| numbering.failure(error))
         })?;
         progress.note(&self.shortfall(&clusters, &numbering));
-        let written = phases.time("write", || {
-            self.write(&outputs, &mut given, &clusters, &progress)
-        })?;
+        let written = phases.write(|| self.write(&outputs, &mut given, &clusters, &progress))?;
         let figures = Figures::of(&given, &clusters);
         progress.finish();
         task.report(&figures, &figures.lines(), &phases, &written, quiet)
@@ -194,7 +192,7 @@ impl Cluster {
         };
         let writing = &self.task.writing;
         let mut written = writing.clusters(outputs, points, &view, progress)?;
-        written.extend(writing.sites(outputs, &centers, progress, &written)?);
+        written.extend(writing.sites(outputs, &centers, progress)?);
         Ok(written)
     }
 }

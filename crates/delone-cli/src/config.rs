@@ -9,7 +9,7 @@
 mod arguments;
 mod document;
 
-use crate::batch::{self, Made, Many, Plan, Run, Unit};
+use crate::batch::{self, Made, Many, Plan, Results, Run, Unit};
 use crate::cli::{Cli, Command};
 use crate::exit::Failure;
 use crate::files;
@@ -99,7 +99,7 @@ impl RunFile {
         made.into_iter().for_each(Made::keep);
         Run {
             jobs: self.jobs,
-            json: self.json,
+            results: Results::tabled(self.json),
             quiet,
         }
         .all(units)

@@ -116,7 +116,7 @@ impl Contour {
             rings: lines.iter().filter(|line| line.is_closed).count(),
             points: lines.iter().map(|line| line.points.len()).sum(),
         };
-        let written = phases.time("write", || {
+        let written = phases.write(|| {
             let relief = Relief {
                 raster: None,
                 contours: &lines,

@@ -195,7 +195,7 @@ impl Convert {
         let mesh = phases.time("read", || input.mesh(progress))?;
         progress.note(&input.named(files::notes(&mesh.vertices)));
         let view = MeshView::from(&mesh);
-        let written = phases.time("write", || self.writing.mesh(&outputs, &view, progress))?;
+        let written = phases.write(|| self.writing.mesh(&outputs, &view, progress))?;
         let points = counted(mesh.vertices.points.len(), "point", "points");
         let triangles = counted(mesh.triangles.len(), "triangle", "triangles");
         let figures = Figures {
@@ -218,7 +218,7 @@ impl Convert {
         outputs.spare(&input.files())?;
         let (mut domain, unused) = phases.time("read", || input.domain(progress))?;
         progress.note(&unused);
-        let written = phases.time("write", || self.writing.domain(&outputs, &domain, progress))?;
+        let written = phases.write(|| self.writing.domain(&outputs, &domain, progress))?;
         let pslg = domain.take_pslg();
         let figures = Figures {
             holds: "domain",
@@ -244,7 +244,7 @@ impl Convert {
         outputs.spare(&input.files())?;
         let (points, unused) = phases.time("read", || input.points(progress))?;
         progress.note(&unused);
-        let written = phases.time("write", || self.writing.points(&outputs, &points, progress))?;
+        let written = phases.write(|| self.writing.points(&outputs, &points, progress))?;
         let figures = Figures {
             holds: "points",
             points: points.points.len(),

@@ -5,6 +5,7 @@ mod domain;
 mod found;
 mod histogram;
 
+use crate::batch::{self, Batching, Many, Naming};
 use crate::exit::Failure;
 use crate::files::{Content, Outputs};
 use crate::numbering::Numbering;
@@ -24,6 +25,7 @@ Examples:
   delone cover survey.csv --degree 3 -o cover.ele --data-out held.csv   enough data for cubics
   delone cover survey.csv --domain lake.geojson -o cover.geojson   the triangles of a polygon
   delone cover survey.csv --no-edges --no-interior --picture a.svg   Algorithm A alone
+  delone cover surveys/*.csv -d 6 --out-dir covers --to vtu   each of them, several at once
   delone sample gauss -n 150 | delone cover - --json | jq .data_per_triangle";
 
 const JSON: &str = "\
@@ -59,11 +61,15 @@ The JSON object of --json:
 /// Outputs are meshes: .vtu, .ele (.node …) and .geojson with `data`, how many each triangle holds, and
 /// `special`, 1 for special cases, and .npy; .svg and .png show how many data each triangle holds.
 /// --data-out writes the data with all columns of numbers that the input has, and the triangle of each.
-#[derive(clap::Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
+/// Of several files each is covered for itself, several at once.
+#[derive(clap::Args, Clone)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}\n\n{}", batch::HELP, crate::exit::HELP))]
 pub struct Cover {
     #[command(flatten)]
     task: Task,
+    /// More files of points, or patterns as in 'surveys/*.csv'
+    #[arg(value_name = "POINTS", help_heading = None)]
+    more: Vec<PathBuf>,
     #[command(flatten)]
     choices: Choices,
     /// Polygon to cover, one ring (GeoJSON, WKT, .poly), in place of one laid around the data; it need not be
@@ -73,11 +79,50 @@ pub struct Cover {
     /// File to write the data to, with one more column: the number of the triangle that holds each
     #[arg(long, value_name = "FILE", help_heading = None)]
     data_out: Option<PathBuf>,
+    #[command(flatten)]
+    batching: Batching,
 }
 
-impl Cover {
-    /// Runs the command.
-    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+impl Many for Cover {
+    fn batching(&self) -> &Batching {
+        &self.batching
+    }
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        let first = self.task.input().to_owned();
+        std::iter::once(first).chain(self.more.clone()).collect()
+    }
+
+    fn asks_json(&self) -> bool {
+        self.task.json
+    }
+
+    fn for_one(&self, input: &Path, naming: &Naming<'_>) -> Result<Self, Failure> {
+        let data_out = self.data_out.as_deref();
+        let data_out = data_out.map(|file| naming.name(file, input, "--data-out"));
+        let data_out = data_out.transpose()?;
+        Ok(Self {
+            task: self.task.for_one(input, naming, data_out.is_some())?,
+            more: Vec::new(),
+            data_out,
+            ..self.clone()
+        })
+    }
+
+    fn settle(&self) -> Result<Outputs, Failure> {
+        if self.domain.as_deref() == Some(Path::new("-")) {
+            let once =
+                "--domain: standard input can be read but once; name a file to cover for several";
+            return Err(Failure::Usage(once.to_owned()));
+        }
+        self.outputs()
+    }
+
+    fn in_a_batch(&mut self, threads: usize) {
+        self.task.in_a_batch(threads);
+    }
+
+    fn run_alone(&self, quiet: bool) -> Result<(), Failure> {
         let task = &self.task;
         let outputs = self.outputs()?;
         let progress = Progress::new(quiet);
@@ -103,11 +148,17 @@ impl Cover {
 
         let base = task.writing.base();
         let found = phases.time("check", || Found::of(&cover, base, &progress))?;
-        let written = phases.time("write", || {
-            self.write(&outputs, &cover, &found, &mut points, &progress)
-        })?;
+        let written =
+            phases.write(|| self.write(&outputs, &cover, &found, &mut points, &progress))?;
         progress.finish();
         task.report(&found, &found.lines(), &phases, &written, quiet)
+    }
+}
+
+impl Cover {
+    /// Runs the command.
+    pub fn run(&self, quiet: bool) -> Result<(), Failure> {
+        batch::run(self, quiet)
     }
 
     fn outputs(&self) -> Result<Outputs, Failure> {
@@ -142,7 +193,7 @@ impl Cover {
         mesh.triangle_attributes = &attributes;
         let mut written = writing.mesh(outputs, &mesh, progress)?;
         points.attributes.push(holders(cover, found, points));
-        written.extend(writing.sites(outputs, points, progress, &written)?);
+        written.extend(writing.sites(outputs, points, progress)?);
         Ok(written)
     }
 }

@@ -151,7 +151,8 @@ impl Doctor {
         let (found, examined) = timed(|| self.examine(&patient.pslg, &patient, &progress))?;
         let mut report = Report::new(&patient, &found, self.tolerance);
         let (mended, repaired) = timed(|| self.mend(&patient, &found, &progress))?;
-        let (written, wrote) = timed(|| self.write(outputs, &patient, &found, &mended, &progress))?;
+        let writing = || self.write(outputs, &patient, &found, &mended, &progress);
+        let (written, wrote) = timed(|| files::in_one_commit(writing))?;
         progress.finish();
         let is_well = mended
             .as_ref()

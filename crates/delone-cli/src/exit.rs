@@ -75,14 +75,19 @@ impl Failure {
         }
     }
 
+    /// Tells whether nothing is left to say.
+    pub fn is_told(&self) -> bool {
+        use Failure::*;
+        matches!(
+            self,
+            CheckFailed | NotAllRead | Troubles | SomeFailed(_) | BrokenPipe
+        )
+    }
+
     /// Tells the user on standard error, unless nothing is left to say.
     pub fn report(&self) -> ExitCode {
         match self {
-            Self::CheckFailed
-            | Self::NotAllRead
-            | Self::Troubles
-            | Self::SomeFailed(_)
-            | Self::BrokenPipe => {}
+            _ if self.is_told() => {}
             // The work and the listener for Ctrl-C may both come here.
             Self::Cancelled if CANCELLED.swap(true, Ordering::SeqCst) => {}
             _ => self.tell(None),

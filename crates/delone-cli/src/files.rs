@@ -10,16 +10,17 @@ mod outputs;
 mod region;
 
 use crate::exit::Failure;
-use crate::progress::{Progress, Unstoppable};
+use crate::progress::Progress;
 use crate::voice;
 pub use content::Content;
 use delone::RefinedMesh;
 use delone_io::{
-    CellsView, ClustersView, DomainData, Error, Format, Links, MeshView, Papers, PictureOptions,
-    PointSet, Relief, ReliefOptions, ReportOptions, Target, TroublesView, WriteOptions,
+    CellsView, ClustersView, Commit, DomainData, Error, Format, Links, MeshView, Papers,
+    PictureOptions, PointSet, Relief, ReliefOptions, ReportOptions, Target, TroublesView,
+    WriteOptions,
 };
 pub use family::place;
-pub use head::{head, in_hand};
+pub use head::{head, in_hand, sniff};
 pub use input::{Input, Reading};
 use losses::Held;
 pub use notes::notes;
@@ -261,21 +262,14 @@ impl Writing {
     }
 
     /// Writes points besides something else and returns the names of the files.
-    ///
-    /// If `others` have been written for the same run, nothing stops this: all are there, or none.
     pub fn sites(
         &self,
         outputs: &Outputs,
         points: &PointSet,
         progress: &Progress,
-        others: &[PathBuf],
     ) -> Result<Vec<PathBuf>, Failure> {
         let targets = outputs.asides(Content::Sites);
-        let options = self.options();
-        let written = match others {
-            [] => delone_io::write_points(&targets, points, &options, progress),
-            _ => delone_io::write_points(&targets, points, &options, &Unstoppable(progress)),
-        };
+        let written = delone_io::write_points(&targets, points, &self.options(), progress);
         written.map_err(unwritable)
     }
 
@@ -335,6 +329,17 @@ impl Writing {
             ..WriteOptions::default()
         }
     }
+}
+
+/// Lets all files that `work` writes, whatever they hold, get their names together: all appear, or none.
+pub fn in_one_commit<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+    let commit = Commit::begin();
+    let done = work();
+    // That nobody listens any more is no fault of the files.
+    if matches!(done, Ok(_) | Err(Failure::BrokenPipe)) {
+        commit.finish().map_err(unwritable)?;
+    }
+    done
 }
 
 /// Writes the files, all or none of them, then the stream, whose reader may have gone.

@@ -110,7 +110,7 @@ impl Graph {
             length: links.iter().fold(0.0, |sum, link| sum + link.length),
             more,
         };
-        let written = phases.time("write", || {
+        let written = phases.write(|| {
             let links = Links {
                 from: &points.points,
                 to: None,

@@ -132,9 +132,8 @@ impl Interpolate {
             }
         };
         let figures = self.figures(&survey, &evaluated);
-        let written = phases.time("write", || {
-            self.write(&outputs, &evaluated, &*surface, &survey, &progress)
-        })?;
+        let written =
+            phases.write(|| self.write(&outputs, &evaluated, &*surface, &survey, &progress))?;
         progress.finish();
         task.report(&figures, &figures.lines(), &phases, &written, quiet)
     }

@@ -73,14 +73,12 @@ impl Job {
         naming: &Naming<'_>,
         names_more: bool,
     ) -> Result<Self, Failure> {
-        let mut output = naming.names(&self.output, input, "-o")?;
-        let picture = self.picture.as_deref();
-        let picture = picture.map(|p| naming.name(p, input, "--picture"));
-        let picture = picture.transpose()?;
-        let names_something = names_more || picture.is_some();
-        if output.is_empty() && (self.writing.to().is_some() || !names_something) {
-            output.extend(naming.usual(input, self.writing.to())?);
-        }
+        let (output, picture) = naming.outputs(
+            input,
+            (&self.output, self.picture.as_deref()),
+            self.writing.to(),
+            names_more,
+        )?;
         Ok(Self {
             inputs: vec![input.to_owned()],
             output,
@@ -93,8 +91,7 @@ impl Job {
     /// Makes results be told as JSON, and lets the work have so many threads if nobody has said how many.
     pub fn in_a_batch(&mut self, threads: usize) {
         self.json = true;
-        let threads = u16::try_from(threads).unwrap_or(u16::MAX);
-        self.threads = self.threads.or(Some(threads));
+        self.threads = self.threads.or(Some(few(threads)));
     }
 
     /// Reads points or a domain, which no output may overwrite.
@@ -180,6 +177,11 @@ impl Job {
         }
         self.writing.outputs(wanted)
     }
+}
+
+/// Counts threads as options do.
+pub fn few(threads: usize) -> u16 {
+    u16::try_from(threads).unwrap_or(u16::MAX)
 }
 
 /// Returns the number of threads: as many as asked for, otherwise as the machine runs at once.

@@ -160,7 +160,7 @@ impl Many for Mesh {
             };
             self.write(&outputs, &refined, &inherited, options, &progress)
         };
-        let (written, write) = timed(writing)?;
+        let (written, write) = timed(|| files::in_one_commit(writing))?;
         progress.finish();
 
         let reached = Reached::new(&refined, self.goals.sizing.is_given());

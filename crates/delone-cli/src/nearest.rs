@@ -106,7 +106,7 @@ impl Nearest {
             longest: links.iter().map(|link| link.length).reduce(f64::max),
             mean: mean(&links),
         };
-        let written = phases.time("write", || {
+        let written = phases.write(|| {
             let links = Links {
                 from: &queries.points,
                 to: Some(&points.points),

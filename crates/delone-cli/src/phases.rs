@@ -1,6 +1,7 @@
 //! Wall time of the phases of a command, by name.
 
 use crate::exit::Failure;
+use crate::files;
 use crate::timing::timed;
 use crate::voice;
 use crate::words::{duration, wrote};
@@ -22,6 +23,11 @@ impl Phases {
         let (result, took) = timed(work)?;
         self.0.push((name, took));
         Ok(result)
+    }
+
+    /// Writes files, all of which appear or none, and remembers how long it took.
+    pub fn write<T>(&mut self, work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+        self.time("write", || files::in_one_commit(work))
     }
 
     /// Tells people, after some lines of the command's own, how long it took, and which files there are.

@@ -162,15 +162,6 @@ impl Watch for Progress {
     }
 }
 
-/// Shows progress, and hears of no interrupt.
-pub struct Unstoppable<'p>(pub &'p Progress);
-
-impl Watch for Unstoppable<'_> {
-    fn progress(&self, phase: Phase, done: u64, total: u64) {
-        self.0.progress(phase, done, total);
-    }
-}
-
 /// A bar for the files of a batch.
 pub struct Files(ProgressBar);
 

@@ -128,7 +128,7 @@ impl Race {
         phases.time("race", || {
             self.race(&algorithms, &sizes, &points, &progress, &mut results)
         })?;
-        let written = phases.time("write", || {
+        let written = phases.write(|| {
             let targets = outputs.pictures();
             let panels = table::panels(&results.laps);
             delone_io::write_plot(&targets, &panels, "points", &progress).map_err(files::unwritable)

@@ -1,8 +1,9 @@
 //! What the commands have in common that ask something of points: input, outputs and figures.
 
+use crate::batch::Naming;
 use crate::exit::Failure;
 use crate::files::{self, Content, Input, Outputs, Reading, Writing};
-use crate::job;
+use crate::job::{self, few};
 use crate::memory::peak_rss_bytes;
 use crate::numbering::Numbering;
 use crate::phases::Phases;
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Input, outputs, and how to get from one to the others.
 // Options without heading say so, lest they come under that of whatever stands before them.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 pub struct Task {
     /// File of points, or `-` for standard input
     #[arg(value_name = "POINTS", help_heading = None)]
@@ -59,6 +60,39 @@ impl Task {
         work: impl FnOnce() -> Result<T, delone::Error> + Send,
     ) -> Result<T, delone::Error> {
         delone::on_threads(self.threads(), work)?
+    }
+
+    /// Returns the input as it is named.
+    pub fn input(&self) -> &Path {
+        &self.input
+    }
+
+    /// Returns the task for one of several inputs, whose outputs are named by `naming`; `names_more` tells whether
+    /// the command names outputs of its own.
+    pub fn for_one(
+        &self,
+        input: &Path,
+        naming: &Naming<'_>,
+        names_more: bool,
+    ) -> Result<Self, Failure> {
+        let (output, picture) = naming.outputs(
+            input,
+            (&self.output, self.picture.as_deref()),
+            self.writing.to(),
+            names_more,
+        )?;
+        Ok(Self {
+            input: input.to_owned(),
+            output,
+            picture,
+            ..self.clone()
+        })
+    }
+
+    /// Makes results be told as JSON, and lets the work have so many threads if nobody has said how many.
+    pub fn in_a_batch(&mut self, threads: usize) {
+        self.json = true;
+        self.threads = self.threads.or(Some(few(threads)));
     }
 
     /// Settles what is to be written: for each output what it holds, for the picture what it shows, and

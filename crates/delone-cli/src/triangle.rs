@@ -39,7 +39,7 @@ use switches::Switches;
 /// A summary goes to standard output.
 #[derive(clap::Args)]
 #[command(
-    override_usage = "delone triangle [-prq__a__AcDjenvBPNEIOo_YS__QVh] FILE",
+    override_usage = "delone triangle [-prq__a__AcDjenvgBPNEIOo_YS__QVh] FILE",
     after_help = help::SWITCHES,
     after_long_help = format!("{}\n\n{}", help::SWITCHES, crate::exit::HELP)
 )]

@@ -126,9 +126,7 @@ impl Voronoi {
         })?;
 
         let figures = Figures::of(&made, &clipped, &domain, relaxed.as_ref());
-        let written = phases.time("write", || {
-            self.write(&outputs, &made, &clipped, &points, &progress)
-        })?;
+        let written = phases.write(|| self.write(&outputs, &made, &clipped, &points, &progress))?;
         progress.finish();
         task.report(&figures, &figures.lines(), &phases, &written, quiet)
     }
@@ -227,7 +225,7 @@ impl Voronoi {
             let mesh = MeshView::from(triangulation).with_data(points);
             written.extend(writing.diagrams(outputs, &mesh, progress)?);
         }
-        written.extend(writing.sites(outputs, points, progress, &written)?);
+        written.extend(writing.sites(outputs, points, progress)?);
         Ok(written)
     }
 }

@@ -111,6 +111,33 @@ fn a_full_device_is_named() {
 }
 
 #[test]
+fn the_files_of_a_run_appear_together_or_not_at_all() {
+    let folder = Folder::new();
+    folder.run("sample lake -o lake.poly", 0);
+    folder.run("sample gauss -n 99 -o p.csv", 0);
+    folder.write("h.csv", "x,y,z\n0,0,1\n4,0,9\n4,3,2\n0,3,1\n1,1,5\n");
+    let links = ["full.html", "full.csv", "full.poly", "full.png", "full.svg"];
+    for link in links {
+        symlink("/dev/full", folder.path().join(link)).expect("a link");
+    }
+    let before = folder.names();
+    for line in [
+        "mesh lake.poly -o m.vtu --certificate --report full.html",
+        "cover p.csv -d 3 -o m.vtu --data-out full.csv",
+        "voronoi p.csv --lloyd 2 -o m.vtu --sites full.csv",
+        "cluster p.csv -n 3 -o m.csv --centers full.csv",
+        "interpolate h.csv --cell 1 -o m.asc --picture full.png",
+        "contour h.csv -o m.geojson --picture full.svg",
+        "doctor lake.poly --geojson m.geojson --repair full.poly",
+        "algorithms run sweep p.csv -o m.ele --filmstrip full.png",
+    ] {
+        let output = folder.run(line, 4);
+        output.says(&["cannot write full.", "No space left"]);
+        assert_eq!(folder.names(), before, "{line}");
+    }
+}
+
+#[test]
 fn links_are_followed_and_stay_links() {
     let folder = Folder::with_points();
     let at = |name: &str| folder.path().join(name);

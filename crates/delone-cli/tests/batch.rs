@@ -213,3 +213,94 @@ fn checks_and_infos_take_patterns_too() {
     let known = folder.run("info a/x.poly a/y.poly --json", 0);
     assert_eq!(objects(&known.stdout).len(), 2);
 }
+
+/// The objects that a command prints, without what is never the same.
+fn timeless(text: &str) -> Vec<Value> {
+    let mut all = objects(text);
+    for object in &mut all {
+        let keys = object.as_object_mut().expect("an object");
+        keys.retain(|key, _| !["seconds", "peak_rss_bytes"].contains(&key.as_str()));
+    }
+    all
+}
+
+#[test]
+fn meshes_are_checked_several_at_once_and_told_of_in_order() {
+    let folder = Folder::new();
+    for i in 0..9 {
+        let (n, seed) = (2000 - 200 * i, i);
+        folder.run(&format!("sample gauss -n {n} --seed {seed} -o p{i}.csv"), 0);
+    }
+    folder.run("triangulate p*.csv --out-dir out --to vtu -q", 0);
+    folder.write("out/p3.vtu", "junk");
+    // One triangle too few.
+    folder.write("wrong.node", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n");
+    folder.write("wrong.ele", "1 3 0\n0 0 1 2\n");
+    let line = "check wrong.ele out/*.vtu --json";
+    let one = folder.run(&format!("{line} --jobs 1"), 3);
+    let files: Vec<_> = objects(&one.stdout)
+        .iter()
+        .map(|report| report["file"].as_str().expect("a name").to_owned())
+        .collect();
+    assert_eq!(files.len(), 9);
+    assert_eq!(files[..2], ["wrong.ele", "out/p0.vtu"]);
+    assert!(
+        files.is_sorted_by(|a, b| a == "wrong.ele" || a < b),
+        "{files:?}"
+    );
+    assert_eq!(objects(&one.stderr)[0]["file"], "out/p3.vtu");
+    for jobs in ["", " --jobs 2", " --jobs 7"] {
+        let several = folder.run(&format!("{line}{jobs}"), 3);
+        assert_eq!(timeless(&several.stdout), timeless(&one.stdout), "{jobs}");
+        assert_eq!(several.stderr, one.stderr, "{jobs}");
+    }
+    // People read the same words as for one, and no table.
+    let words = folder.run("check wrong.ele out/p0.vtu", 1);
+    for part in ["wrong.ele: wrong, ", "out/p0.vtu: right."] {
+        assert!(words.stdout.contains(part), "{}", words.stdout);
+    }
+    assert_eq!(words.stderr, "");
+    let quiet = folder.run("check wrong.ele out/p0.vtu -q", 1).stdout;
+    assert!(quiet.starts_with("wrong.ele: wrong") && !quiet.contains("right."));
+    folder
+        .run("check out/p0.vtu --jobs 2", 2)
+        .says(&["--jobs is about several files"]);
+    folder
+        .run("check out/p0.vtu out/p1.vtu --points -", 2)
+        .says(&["--points", "read but once"]);
+}
+
+#[test]
+fn data_are_covered_file_by_file() {
+    let folder = Folder::new();
+    for name in ["a", "b", "c"] {
+        let seed = name.as_bytes()[0];
+        folder.run(
+            &format!("sample gauss -n 80 --seed {seed} -o {name}.csv"),
+            0,
+        );
+        let line = format!("cover {name}.csv -d 4 -o {name}.vtu --data-out {name}-held.csv");
+        folder.run(&line, 0);
+    }
+    let line = "cover a.csv [bc].csv -d 4 --out-dir out --to vtu --data-out {}-held.csv";
+    let table = folder.run(line, 0);
+    table.says(&["smallest angle", "c.csv", "3 files, all done"]);
+    assert_eq!(table.stdout, "");
+    for name in ["a", "b", "c"] {
+        for end in [".vtu", "-held.csv"] {
+            let name = format!("{name}{end}");
+            assert_eq!(folder.bytes(&name), folder.bytes(&format!("out/{name}")));
+        }
+    }
+    let done = objects(&folder.run("cover a.csv b.csv -d 4 --json", 0).stdout);
+    assert_eq!(done[1]["file"], "b.csv");
+    assert_eq!(done[1]["data"], 80);
+    for (line, words) in [
+        ("cover a.csv b.csv -o m.vtu", "one name will not do"),
+        ("cover a.csv b.csv --data-out d.csv", "--data-out d.csv"),
+        ("cover a.csv b.csv --domain -", "read but once"),
+        ("cover a.csv --out-dir x", "in which format?"),
+    ] {
+        folder.run(line, 2).says(&[words]);
+    }
+}

@@ -401,6 +401,72 @@ fn altered_lineage_is_found_though_its_hash_is_forged() {
 }
 
 #[test]
+fn how_the_input_was_read_is_part_of_the_certificate() {
+    let folder = Folder::new();
+    folder.write(
+        "map.svg",
+        "<svg><circle cx='0' cy='0' r='8'/><circle cx='9' cy='1' r='5'/></svg>",
+    );
+    folder.write("map.csv", "a,b,c\n0,1,2\n5,0,1\n3,4,0\n2,2,7\n");
+    for (input, option, listed) in [
+        ("map.svg", "--flatness 0.25", "flatness=0.25"),
+        ("map.csv", "--columns c,a", "columns=c,a"),
+    ] {
+        let line = format!("triangulate {input} {option} --domain hull -o m.vtu --certificate");
+        let line = match input {
+            "map.svg" => format!("{line} --crossings split"),
+            _ => line,
+        };
+        folder.run(&line, 0);
+        let made = certificate(&folder);
+        assert_eq!(made["input"]["reading"], json!([listed]));
+        let check = format!("check m.vtu --domain {input} --certificate m.certificate.json");
+        folder.run(&check, 0);
+        // Who says otherwise is found out, and nonsense is none.
+        let mut changed = made.clone();
+        let other = listed.replace("0.25", "0.125").replace("c,a", "a,b");
+        changed["input"]["reading"] = json!([other]);
+        assert!(seal(&folder, changed.clone()));
+        folder.run(&check, 1);
+        changed["input"]["reading"] = json!(["output=m.vtu"]);
+        assert!(seal(&folder, changed));
+        folder
+            .run(&check, 3)
+            .says(&["the certificate: unexpected argument"]);
+    }
+    // A certificate without them is as it always was.
+    let usual = certificate(&triangulated());
+    assert!(usual["input"].get("reading").is_none());
+}
+
+#[test]
+fn lineage_may_be_a_table_of_columns() {
+    let folder = refined();
+    let line =
+        "mesh map.poly --crossings split --max-edge 0.8 -o m.ele --certificate --lineage m.parquet";
+    let text = folder.bytes("m.lineage.csv");
+    folder.run(line, 0);
+    assert!(folder.bytes("m.parquet").starts_with(b"PAR1"));
+    let named = certificate(&folder);
+    assert_eq!(named["lineage"]["name"], "m.parquet");
+    assert!(folder.run(CHECK, 0).stdout.contains(" holds"));
+    // It holds what the text does.
+    let segments = 8;
+    let read = |name: &str, bytes: Vec<u8>| {
+        let name = name.to_owned();
+        let source = delone_io::Source::Memory { name, bytes };
+        delone_io::Lineage::read(&source, segments, &()).expect("a table of lineage")
+    };
+    let columns = read("m.parquet", folder.bytes("m.parquet"));
+    assert_eq!(columns, read("m.csv", text));
+    // Damage is told.
+    let mut cut = folder.bytes("m.parquet");
+    cut.truncate(cut.len() / 2);
+    folder.write("m.parquet", cut);
+    folder.run(CHECK, 3).says(&["m.parquet", "truncated"]);
+}
+
+#[test]
 fn malformed_papers_are_bad_input_with_their_line() {
     let folder = triangulated();
     let papers = folder.read("m.certificate.json");

@@ -139,8 +139,8 @@ fn nonsense_is_refused() {
     folder.run("cluster towns.csv -n 0", 2);
     folder.run("cluster towns.csv --max-error -1", 2);
     folder
-        .run("cluster towns.csv -n 2 -o g.geojson", 2)
-        .says(&["geojson cannot hold points"]);
+        .run("cluster towns.csv -n 2 -o g.stl", 2)
+        .says(&["stl cannot hold points"]);
     folder
         .run("cluster towns.csv -n 2 --weights q", 2)
         .says(&["no column \"q\"", "--weights: people, z"]);

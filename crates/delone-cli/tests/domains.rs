@@ -301,6 +301,6 @@ fn a_domain_sample_goes_to_standard_output_as_poly() {
         .run("sample thesis -o t.csv", 2)
         .says(&["t.csv", "cannot hold a domain", "poly"]);
     folder
-        .run("sample uniform -o t.poly", 2)
-        .says(&["t.poly", "cannot hold points"]);
+        .run("sample uniform -o t.stl", 2)
+        .says(&["t.stl", "cannot hold points"]);
 }

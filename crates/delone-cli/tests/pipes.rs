@@ -72,6 +72,28 @@ fn what_is_asked_of_pipes_is_answered_there() {
 }
 
 #[test]
+fn a_graph_that_comes_without_a_name_keeps_its_segments() {
+    let folder = Folder::new();
+    folder.run("sample lake -o lake.poly", 0);
+    let lake = folder.read("lake.poly");
+    let piped = |line: &str| {
+        let assert = folder.command(line).write_stdin(lake.clone()).assert();
+        Output::of(assert.code(0)).json()
+    };
+    let segments = &folder.run("info lake.poly --json", 0).json()["segments"];
+    assert_eq!(piped("info - --json")["segments"], *segments);
+    let named = folder.run("triangulate lake.poly --json", 0).json();
+    assert_eq!(piped("triangulate - --json")["hash"], named["hash"]);
+    // A file may lack an extension, too, and be longer than what is looked at first.
+    assert!(lake.len() > 4096);
+    folder.write("lake", &lake);
+    assert_eq!(
+        folder.run("info lake --json", 0).json()["segments"],
+        *segments
+    );
+}
+
+#[test]
 fn words_for_people_never_go_to_standard_output() {
     let folder = Folder::new();
     folder.write(

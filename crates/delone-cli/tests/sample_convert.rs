@@ -81,6 +81,37 @@ fn points_are_converted_back_and_forth() {
 }
 
 #[test]
+fn points_go_into_every_format_that_has_points() {
+    let folder = Folder::new();
+    folder.write("p.csv", "x,y,z\n0,0,1\n4,0.1,9\n4,3,2.5\n0,3,1\n4,3,7\n");
+    let csv = folder.run("triangulate p.csv --json", 0).json();
+    let written = folder.run("formats --json", 0).json();
+    let formats = written.as_array().expect("a list");
+    let can = |format: &serde_json::Value, what: &str| {
+        let list = format[what].as_array().expect("a list");
+        list.contains(&"points".into())
+    };
+    let both = formats
+        .iter()
+        .filter(|f| can(f, "reads") && can(f, "writes"));
+    let names: Vec<_> = both.filter_map(|f| f["name"].as_str()).collect();
+    assert!(names.contains(&"geojson") && names.contains(&"poly"));
+    // What is read from a picture are its paths.
+    for name in names
+        .into_iter()
+        .filter(|name| !["csv", "svg"].contains(name))
+    {
+        folder.run(&format!("-q convert p.csv p.{name}"), 0);
+        folder.run(&format!("-q convert p.{name} {name}.npy --points"), 0);
+        let found = folder.run(&format!("triangulate {name}.npy --json"), 0);
+        for key in ["hash", "duplicates"] {
+            assert_eq!(found.json()[key], csv[key], "{name}: {key}");
+        }
+    }
+    assert!(folder.read("p.geojson").contains("[4,0.1,9]"));
+}
+
+#[test]
 fn meshes_are_converted_back_and_forth() {
     let folder = Folder::with_points();
     folder.run("triangulate points.csv -o a.ele", 0);

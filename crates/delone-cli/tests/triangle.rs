@@ -241,6 +241,30 @@ fn files_may_be_left_out() {
 }
 
 #[test]
+fn a_file_for_geomview_is_written_beside_the_others() {
+    let folder = with("s.poly", SQUARE);
+    folder.run("triangle -pgQ s", 0);
+    assert_eq!(
+        folder.names(),
+        ["s.1.ele", "s.1.node", "s.1.off", "s.1.poly", "s.poly"]
+    );
+    // Its numbers begin with 0, whatever those of the others do.
+    let corners = |row: &Vec<f64>| [row[1], row[2], row[3]];
+    let of_family: Vec<_> = rows(&folder, "s.1.ele").iter().map(corners).collect();
+    let off = rows(&folder, "s.1.off");
+    assert_eq!(off[0], [6.0, of_family.len() as f64, 0.0]);
+    assert_eq!(off[5], [2.0, 2.0, 0.0]);
+    let of_off = off[7..].iter().map(|row| corners(row).map(|v| v + 1.0));
+    assert_eq!(of_off.collect::<Vec<_>>(), of_family);
+    folder.run("triangle -pgjNEPQ s", 0);
+    assert_eq!(
+        rows(&folder, "s.1.off")[0][0],
+        5.0,
+        "without the point outside"
+    );
+}
+
+#[test]
 fn without_iteration_numbers_no_input_is_overwritten() {
     let folder = with("s.poly", SQUARE);
     folder.run("triangle -pIQe s", 0);
@@ -567,6 +591,7 @@ fn what_cannot_be_done_is_said() {
         ("triangle nowhere", 3, vec!["nowhere.node"]),
         ("triangle -r s", 3, vec!["s.ele"]),
         ("triangle -Ir s", 2, vec!["-I and -r"]),
+        ("triangle -pgo2 s", 2, vec!["-g and -o2"]),
     ] {
         folder.run(line, code).says(&words);
     }

@@ -4,8 +4,8 @@ mod abilities;
 mod keeps;
 
 use crate::{
-    airfoil, dxf, geojson, jigsaw, las, medit, msh, node, npy, obj, off, parquet, ply, shp, svg,
-    table, vtk, vtu, wkt,
+    airfoil, dxf, geojson, jigsaw, las, medit, msh, node, npy, obj, off, parquet, ply, poly, shp,
+    svg, table, vtk, vtu, wkt,
 };
 use abilities::*;
 pub use keeps::{Keeps, Precision, Trait};
@@ -243,29 +243,31 @@ impl Format {
 
     /// Tells the format from name and content: the name decides, and the content between formats that share an
     /// extension (`.msh`: Gmsh and JIGSAW; `.dat`: tables and airfoils) or where the name says nothing.
-    pub fn detect(path: Option<&Path>, head: &[u8]) -> Option<Self> {
-        let head = &head[..head.len().min(SNIFFED)];
+    pub fn detect(path: Option<&Path>, content: &[u8]) -> Option<Self> {
+        let head = &content[..content.len().min(SNIFFED)];
         match path.and_then(Self::from_path) {
             Some(Self::Msh) if jigsaw::sniff(head) => Some(Self::Jigsaw),
             Some(Self::Table) if has_extension(path, "dat") && airfoil::sniff(head) => {
                 Some(Self::Airfoil)
             }
             Some(format) => Some(format),
-            None => Self::sniff(head),
+            None => Self::sniff(content),
         }
     }
 
-    /// Tells the format from the first bytes of the content, as far as they betray it.
+    /// Tells the format from the content, or its first bytes, as far as they betray it.
     ///
     /// Text that begins like a `.node` file (`n 2 attributes markers`, followed by rows numbered from
-    /// 0 or 1) is one; other text that holds numbers is a [`Table`](Self::Table).
-    pub fn sniff(head: &[u8]) -> Option<Self> {
-        let head = &head[..head.len().min(SNIFFED)];
-        SNIFFERS
-            .iter()
-            .find(|(_, sniff)| sniff(head))
-            .map(|&(format, _)| format)
-            .or_else(|| table::sniff(head).then_some(Self::Table))
+    /// 0 or 1) is one, or a `.poly` if all of it is here and segments follow the points; other text that holds
+    /// numbers is a [`Table`](Self::Table).
+    pub fn sniff(content: &[u8]) -> Option<Self> {
+        let head = &content[..content.len().min(SNIFFED)];
+        let begins = SNIFFERS.iter().find(|(_, sniff)| sniff(head));
+        match begins.map(|&(format, _)| format) {
+            Some(Self::Node) if poly::goes_on(content) => Some(Self::Poly),
+            None if table::sniff(head) => Some(Self::Table),
+            found => found,
+        }
     }
 
     /// Lists the names of the formats that can do something, for messages.

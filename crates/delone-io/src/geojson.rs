@@ -3,7 +3,7 @@
 //! RFC 7946. Any of its objects may be the whole file. Heights become the attribute `z`; of the
 //! properties only `marker` is read, an integer for the segments of the feature. Empty and missing
 //! geometries are skipped. Coordinates are taken as those of the plane. A polygon that is written keeps
-//! the direction of its rings. Arrays that are no objects are read as [coordinates](bare).
+//! the direction of its rings; a point has no properties. Arrays that are no objects are read as [coordinates](bare).
 
 mod bare;
 mod cells;
@@ -20,4 +20,4 @@ pub(crate) use contours::write_contours;
 pub(crate) use links::write_links;
 pub(crate) use marks::write_marks;
 pub(crate) use read::{read_domain, sniff};
-pub(crate) use write::{write_domain, write_mesh};
+pub(crate) use write::{write_domain, write_mesh, write_points};

@@ -101,6 +101,7 @@ mod cancel;
 mod cells;
 mod certificate;
 mod clusters;
+mod commit;
 mod constraints;
 mod counts;
 mod cursor;
@@ -175,6 +176,7 @@ pub use certificate::{
     digest_file, prove, write_certified,
 };
 pub use clusters::{ClustersView, write_clusters};
+pub use commit::Commit;
 pub use constraints::Constraints;
 pub use counts::Counts;
 pub use domain::{DomainData, read_domain};

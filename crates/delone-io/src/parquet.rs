@@ -10,7 +10,7 @@
 //! A mesh is three tables: `m.parquet` with the corners `a`, `b`, `c` of triangles from 0, their `region` and
 //! attributes; `m.points.parquet` with x, y, attributes and marker; `m.segments.parquet` with the ends `a`, `b` and
 //! the `marker` of constrained edges. Numbers that are none are null. Written is Zstandard, in groups of a million
-//! rows.
+//! rows. A table of [lineage](crate::Lineage) has the same columns as in text.
 //!
 //! A small file may declare much: what the pages would take in memory is added up [before](guard) they are read.
 //! Only gzip and the older LZ4 may still give more than a page declares, a thousand times their bytes at most.
@@ -30,11 +30,15 @@ mod geo;
 #[cfg(feature = "parquet")]
 mod guard;
 #[cfg(feature = "parquet")]
+mod lineage;
+#[cfg(feature = "parquet")]
 mod read;
 #[cfg(feature = "parquet")]
 mod thrift;
 #[cfg(feature = "parquet")]
 mod write;
+#[cfg(feature = "parquet")]
+pub(crate) use lineage::{read_lineage, write_lineage};
 #[cfg(feature = "parquet")]
 pub(crate) use read::{read_domain, read_mesh};
 #[cfg(feature = "parquet")]

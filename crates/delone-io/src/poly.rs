@@ -8,7 +8,7 @@
 //! and its largest area alike: who wants but one of them, leaves the other alone. Where a region has no
 //! largest area, −1 is written.
 
-use crate::scan::{self, Scanner};
+use crate::scan::{self, Row, Scanner};
 use crate::target::Output;
 use crate::triangle_files::{self, Block, Header};
 use crate::{Constraints, DomainData, Error, MeshView, PointSet, Problem, node};
@@ -45,6 +45,26 @@ pub(crate) fn read_domain(
         regions: graph.regions,
         usual_rule,
     })
+}
+
+/// Tells whether text that begins like a `.node` file goes on behind its points with the header of segments: one or
+/// two counts, where a further point would have three columns at least.
+pub(crate) fn goes_on(text: &[u8]) -> bool {
+    let mut scanner = Scanner::new("", text, &());
+    let mut rows = std::iter::from_fn(|| scanner.next_row().ok().flatten());
+    let counts = rows
+        .next()
+        .map(|header| Vec::from_iter(header.words().map_while(scan::integer)));
+    let Some(&[points, _, attributes, markers]) = counts.as_deref() else {
+        return false;
+    };
+    let width = attributes.saturating_add(markers).saturating_add(3);
+    let is_point = |row: &Row<'_>| row.words().count() as i64 == width;
+    let is_whole = (0..points).all(|_| rows.next().as_ref().is_some_and(is_point));
+    let is_header = |row: Row<'_>| {
+        matches!(row.words().count(), 1..=2) && row.words().all(|w| scan::integer(w).is_some())
+    };
+    is_whole && rows.next().is_some_and(is_header)
 }
 
 /// Bytes in which the header of any usual file is found.

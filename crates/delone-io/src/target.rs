@@ -1,10 +1,12 @@
 //! Where output goes: files, written to temporary names and renamed together, or standard output.
 //!
-//! A file appears under its name only when it and all that are written with it are complete. Should
-//! one of several then not get its name, those before it stay, and the error names them. The promise holds against errors, cancellation and a crash of the program; the files are not
+//! A file appears under its name only when it and all that are written with it, in one call or within a
+//! [commit](crate::Commit), are complete. Should one of several then not get its name, those before it stay, and the
+//! error names them. The promise holds against errors, cancellation and a crash of the program; the files are not
 //! flushed to the disk, so it does not hold against a power cut.
 
 use crate::certificate::Hashing;
+use crate::commit::{self, Complete};
 use crate::memory;
 use crate::unfinished::{NotRenamed, Unfinished, persist_all};
 use crate::{Error, FileFact, Format};
@@ -61,7 +63,7 @@ impl fmt::Display for Target {
 
 /// Files that are being written; dropping it removes them.
 pub(crate) struct Staging<'a> {
-    complete: Vec<(Unfinished, PathBuf)>,
+    complete: Vec<Complete>,
     /// The names as the caller gave them.
     names: Vec<PathBuf>,
     watch: &'a dyn Watch,
@@ -195,14 +197,21 @@ impl<'a> Staging<'a> {
         Ok(())
     }
 
-    /// Gives all files their names and returns these.
+    /// Gives all files their names, or lets them wait for others, and returns the names.
     pub fn commit(self) -> Result<Vec<PathBuf>, Error> {
         if self.watch.is_cancelled() {
             return Err(Error::Cancelled);
         }
-        persist_all(self.complete).map_err(not_renamed)?;
+        if let Some(files) = commit::wait(self.complete) {
+            give_names(files)?;
+        }
         Ok(self.names)
     }
+}
+
+/// Gives files their names.
+pub(crate) fn give_names(files: Vec<Complete>) -> Result<(), Error> {
+    persist_all(files).map_err(not_renamed)
 }
 
 /// Returns what a symbolic link points to, even if that is not there yet: it is replaced, not the link.

@@ -364,6 +364,43 @@ fn jigsaw_of_the_corpus_has_its_facts() {
 const MSH: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n10 0 0 0\n20 1 0 0\n40 0 1 5\n$EndNodes\n\
 $Elements\n1\n7 2 2 3 1 10 20 40\n$EndElements\n";
 
+#[test]
+fn of_several_groups_the_first_is_kept_and_that_is_said() {
+    const TWICE: &str = "triangles that are there twice are kept once: 1";
+    const FIRST: &str = "of elements in several physical groups only the first group is kept";
+    // In version 2 an element of several groups is there once for each.
+    let triangle = "7 2 2 3 1 10 20 40\n";
+    for (elements, expected) in [
+        ("8 2 2 5 1 20 40 10\n", &[TWICE, FIRST][..]),
+        ("8 2 2 3 1 10 20 40\n", &[TWICE]),
+        ("1 1 2 6 1 10 20\n2 1 2 9 1 20 10\n", &[FIRST]),
+        ("1 1 2 6 1 10 20\n2 1 2 6 1 20 10\n", &[]),
+        ("1 15 2 4 1 10\n2 15 2 8 1 10\n", &[FIRST]),
+        ("1 15 2 4 1 10\n2 1 2 9 1 10 20\n", &[]),
+    ] {
+        let count = 1 + elements.lines().count();
+        let text = MSH.replace(
+            &format!("1\n{triangle}"),
+            &format!("{count}\n{triangle}{elements}"),
+        );
+        let name = "a.msh".to_owned();
+        let bytes = text.into_bytes();
+        let source = Source::Memory { name, bytes };
+        let mesh = read_mesh(&source, &ReadOptions::default(), &()).expect("a mesh");
+        assert_eq!(mesh.vertices.notes, expected, "{elements}");
+        assert_eq!(mesh.triangles.len(), 1, "{elements}");
+        assert_eq!(mesh.triangle_attributes[0].values, [3.0], "{elements}");
+        if elements.starts_with("1 1 ") {
+            let markers = mesh.constraints.expect("a segment").markers;
+            assert_eq!(markers, Some(vec![6]), "{elements}");
+        }
+        if elements.starts_with("1 15 ") {
+            let markers = mesh.vertices.markers.expect("markers");
+            assert_eq!(markers[0], 4, "{elements}");
+        }
+    }
+}
+
 /// Name, what is replaced in a good file by what, and what the error must say.
 const BROKEN: &[(&str, &str, &str, &str, &str)] = &[
     (

@@ -342,6 +342,16 @@ fn content_tells_the_format() {
         Format::sniff(b"2 2 0 0\n1 0 0 0\n2 1 1 0\n"),
         Some(Format::Table)
     );
+    for (text, expected) in [
+        ("2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 1 2\n0\n", Format::Poly),
+        ("2 2 0 1\n0 0 0 5\n1 1 1 5 # last\n\n0\n0\n", Format::Poly),
+        // A point too many is no header of segments, nor is one half seen.
+        ("2 2 0 0\n1 0 0\n2 1 1\n3 2 2\n", Format::Node),
+        ("2 2 0 0\n1 0 0\n2 1 1\n1 0.5\n", Format::Node),
+        ("3 2 0 0\n1 0 0\n2 1 1\n3\n", Format::Node),
+    ] {
+        assert_eq!(Format::sniff(text.as_bytes()), Some(expected), "{text}");
+    }
     assert_eq!(Format::sniff(b"\xef\xbb\xbf1,2\n"), Some(Format::Table));
     assert_eq!(Format::sniff(b"x,y\n1,2\n"), Some(Format::Table));
     assert_eq!(Format::sniff(b"\x93NUMPY\x01"), Some(Format::Npy));

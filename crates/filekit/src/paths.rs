@@ -33,7 +33,7 @@ fn file(formats: &[Format], bytes: &[u8]) -> (Source, Format) {
     (memory(&format!("f.{format}"), bytes), format)
 }
 
-/// What points and domains are made of here; a `.poly` cannot be told from a `.node`.
+/// What points and domains are made of here; a `.poly` whose points are broken looks like a `.node`.
 const OF_POINTS: &[Format] = &[Format::Table, Format::Node, Format::Npy];
 const OF_DOMAINS: &[Format] = &[Format::Poly, Format::GeoJson, Format::Wkt, Format::Off];
 

@@ -1,10 +1,10 @@
 //! Files that are right, to be broken: the fixtures of the readers, and small ones of every kind written here.
 
 use crate::Body;
-use crate::readers::joined;
+use crate::readers::{joined, memory};
 use delone_io::{
-    Attribute, Constraints, MeshView, PointSet, Recording, Target, WriteOptions, in_memory,
-    write_log, write_mesh, write_points,
+    Attribute, Constraints, Lineage, MeshView, Papers, PointSet, Recording, Target, WriteOptions,
+    in_memory, write_certified, write_log, write_mesh, write_points,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -215,7 +215,22 @@ fn made() -> Vec<Seed> {
         }));
     }
     seeds.extend(logs());
+    seeds.extend(lineage_in_columns());
     seeds
+}
+
+/// Writes the table of lineage that is there as text in the other format.
+fn lineage_in_columns() -> Option<Seed> {
+    let source = memory("f.csv", include_bytes!("../seeds/square.lineage"));
+    let lineage = Lineage::read(&source, 100, &()).ok()?;
+    let papers = Papers {
+        lineage: Some((Path::new("f.parquet"), &lineage)),
+        certificate: None,
+    };
+    let (mesh, options) = (MeshView::new(&[], &[]), WriteOptions::default());
+    let write = || write_certified(&[], &mesh, &options, &papers, &());
+    let (_, files) = in_memory(write).ok()?;
+    Some(Seed::new("lineage", files.into_iter().next()?.bytes))
 }
 
 /// Records a run in both formats.

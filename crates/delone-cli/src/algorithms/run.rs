@@ -99,7 +99,7 @@ impl Run {
         let figures = phases.time("check", || {
             Figures::of(about, given, &output, &tally, &progress).map_err(refused)
         })?;
-        let written = phases.time("write", || {
+        let written = phases.write(|| {
             let mut written = self.write(&outputs, &output, &progress)?;
             if let Some(log) = log {
                 let recording = Recording::new(about, log);

@@ -62,6 +62,25 @@ impl Naming<'_> {
         names.collect()
     }
 
+    /// Names the outputs and the picture of a command for an input. Where no output is named, there is the usual one if
+    /// `to` names its format, or if there would be nothing else; `names_more` tells whether there is.
+    pub fn outputs(
+        &self,
+        input: &Path,
+        (outputs, picture): (&[PathBuf], Option<&Path>),
+        to: Option<Format>,
+        names_more: bool,
+    ) -> Result<(Vec<PathBuf>, Option<PathBuf>), Failure> {
+        let mut outputs = self.names(outputs, input, "-o")?;
+        let picture = picture.map(|picture| self.name(picture, input, "--picture"));
+        let picture = picture.transpose()?;
+        let is_something = names_more || picture.is_some();
+        if outputs.is_empty() && (to.is_some() || !is_something) {
+            outputs.extend(self.usual(input, to)?);
+        }
+        Ok((outputs, picture))
+    }
+
     /// Names the output in a folder of results for which no name was given.
     ///
     /// *Errors*: no format is known.

@@ -3,6 +3,7 @@
 use super::Unit;
 use super::table::{Row, table};
 use crate::exit::Failure;
+use crate::files;
 use crate::interrupt;
 use crate::job;
 use crate::progress::Files;
@@ -18,10 +19,31 @@ use std::time::{Duration, Instant};
 pub struct Run {
     /// How many at once.
     pub jobs: Option<u16>,
-    /// Whether results are printed as JSON.
-    pub json: bool,
+    /// What becomes of the results.
+    pub results: Results,
     /// Whether nothing is said but errors.
     pub quiet: bool,
+}
+
+/// What becomes of the results of files, which are lines of JSON, or words for people.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Results {
+    /// Rows of a table for people.
+    Table,
+    /// JSON, with the names of the files in front.
+    Json,
+    /// Printed as they are.
+    AsTheyAre,
+}
+
+impl Results {
+    /// Asks for JSON, or for a table.
+    pub fn tabled(json: bool) -> Self {
+        match json {
+            true => Self::Json,
+            false => Self::Table,
+        }
+    }
 }
 
 /// What has become of a file.
@@ -42,7 +64,7 @@ impl Run {
         let cores = job::threads(None);
         let jobs = job::threads(self.jobs).min(total).max(1);
         let threads = (cores / jobs).max(1);
-        let files = Files::new(total, self.quiet);
+        let bar = Files::new(total, self.quiet);
         let queue = Mutex::new(units.into_iter().enumerate());
         let is_over = AtomicBool::new(false);
         let (sender, receiver) = mpsc::channel();
@@ -54,16 +76,16 @@ impl Run {
             }
             // So that the channel ends with the last of the workers.
             drop(sender);
-            let told = self.tell(receiver, &files);
+            let told = self.tell(receiver, &bar);
             is_over.store(true, Ordering::SeqCst);
             told
         });
-        files.finish();
+        bar.finish();
         let (rows, code) = told?;
         if interrupt::is_requested() {
             return Err(Failure::Cancelled);
         }
-        if !self.quiet && !self.json {
+        if !self.quiet && self.results == Results::Table {
             voice::say(&table(&rows));
         }
         match code {
@@ -76,13 +98,13 @@ impl Run {
     fn tell(
         &self,
         receiver: mpsc::Receiver<(usize, Done)>,
-        files: &Files,
+        bar: &Files,
     ) -> Result<(Vec<Row>, u8), Failure> {
         let mut waiting = BTreeMap::new();
         let mut rows = Vec::new();
         let mut worst = 0;
         for (i, done) in receiver {
-            files.count(&done.file);
+            bar.count(&done.file);
             waiting.insert(i, done);
             while let Some(done) = waiting.remove(&rows.len()) {
                 if matches!(done.result, Err(Failure::Cancelled)) {
@@ -91,7 +113,7 @@ impl Run {
                 let code = done.result.as_ref().map_or_else(Failure::code, |()| 0);
                 worst = worst.max(code);
                 let mut printed = Ok(());
-                files.above(|| printed = self.tell_of(&done));
+                bar.above(|| printed = self.tell_of(&done));
                 printed?;
                 rows.push(Row::of(&done.file, &done.kept.results, code, done.took));
             }
@@ -103,14 +125,16 @@ impl Run {
         if !self.quiet {
             done.kept.notes.iter().for_each(|line| voice::say(line));
         }
-        if let Err(failure) = &done.result {
+        if let Some(failure) = done.result.as_ref().err().filter(|f| !f.is_told()) {
             failure.tell(Some(&done.file));
         }
-        if self.json {
-            let mut lines = done.kept.results.iter().filter_map(|l| done.with_names(l));
-            lines.try_for_each(|line| crate::files::print(&line))
-        } else {
-            Ok(())
+        let mut lines = done.kept.results.iter();
+        match self.results {
+            Results::Table => Ok(()),
+            Results::Json => lines
+                .filter_map(|line| done.with_names(line))
+                .try_for_each(|line| files::print(&line)),
+            Results::AsTheyAre => lines.try_for_each(|line| files::print(line)),
         }
     }
 }

@@ -7,7 +7,7 @@ use delone::check::Asked;
 use delone::{Angle, Locked, Quality};
 
 /// Options about refined meshes.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "Refined meshes", mut_arg("specs", |sizing| sizing.requires("domain")))]
 pub struct Bounds {
     /// Allow Steiner points, on segments and elsewhere; all of the following imply it

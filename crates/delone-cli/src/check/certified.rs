@@ -64,7 +64,7 @@ impl Case {
         let claimed = claimed.map_err(files::unreadable)?;
         let input = reading.open(file)?;
         let mesh = input.mesh(progress)?;
-        let subject = subject(&claimed, domain, &reading.of_another_file(), progress)?;
+        let subject = subject(&claimed, domain, reading, progress)?;
         let folders = [file, certificate].map(|path| path.parent().unwrap_or(Path::new("")));
         let now = |fact: &FileFact| look_up(fact, folders, progress);
         let output = claimed.output.iter().map(|fact| Ok(now(fact)?.1));
@@ -201,7 +201,12 @@ fn subject(
     let takes_areas = asked.is_some_and(|asked| asked.area_per_region);
     let command = (claimed.made_by.command.as_str(), takes_areas);
     let rule = claimed.rule().map_err(|error| bad(error.to_string()))?;
-    let mut subject = Subject::read(domain, reading, command, &sizing, |_| rule, progress)?;
+    // Older certificates do not say how the input was read.
+    let reading = match &claimed.input.reading[..] {
+        [] => reading.of_another_file(),
+        given => Reading::named(given).map_err(bad)?,
+    };
+    let mut subject = Subject::read(domain, &reading, command, &sizing, |_| rule, progress)?;
     // The sample has no file; whoever has written one down has the same drawing.
     let sample = claimed.input.sample.as_deref();
     if let Some(name) = sample.filter(|name| Subject::is_sample(name, &subject.facts.hash)) {

@@ -8,7 +8,7 @@ use delone::scattered::Cover;
 const QUADRATIC: u32 = 6;
 
 /// Options about how many data triangles hold, and what is done about it.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 pub struct Choices {
     /// Fewest data in a triangle, d; 3d - 1 are the most that it should hold [default: 6, as many as a
     /// quadratic polynomial has coefficients]

@@ -2,8 +2,8 @@
 
 use super::unreadable;
 use crate::exit::Failure;
-use delone_io::{Error, Source};
-use std::fs::File;
+use delone_io::{Error, Format, Source};
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -45,6 +45,18 @@ pub fn head(source: &Source) -> Vec<u8> {
             read.map_or_else(|_| Vec::new(), |_| bytes)
         }
         _ => Vec::new(),
+    }
+}
+
+/// Tells the format from the content.
+pub fn sniff(source: &Source) -> Option<Format> {
+    let format = Format::sniff(&head(source));
+    // Whether segments follow the points only the end can tell.
+    match source {
+        _ if format != Some(Format::Node) => format,
+        Source::Memory { bytes, .. } => Format::sniff(bytes),
+        Source::Path(path) => fs::read(path).map_or(format, |bytes| Format::sniff(&bytes)),
+        _ => format,
     }
 }
 

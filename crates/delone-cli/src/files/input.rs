@@ -1,8 +1,9 @@
 //! Inputs as the command line names them, and what of them is left unused.
 
-use super::head::{head, holds_corners, in_hand, names_no_points};
+use super::head::{head, holds_corners, in_hand, names_no_points, sniff};
 use super::notes::notes;
 use super::{region, unreadable};
+use crate::config;
 use crate::exit::Failure;
 use crate::progress::Progress;
 use crate::refinable::Refinable;
@@ -42,6 +43,14 @@ pub struct Reading {
     /// Layers to take from a .dxf; their names, set apart by commas
     #[arg(long = "layer", value_name = "LAYERS", value_delimiter = ',')]
     layers: Vec<String>,
+}
+
+/// Writes a column as the option takes it.
+fn word(column: &Column) -> String {
+    match column {
+        Column::Name(name) => name.clone(),
+        Column::Index(place) => (place + 1).to_string(),
+    }
 }
 
 /// Which returns of a laser's pulse are taken.
@@ -116,7 +125,7 @@ impl Reading {
             }
             _ => {
                 let source = in_hand(source)?;
-                let format = Format::sniff(&head(&source));
+                let format = sniff(&source);
                 (source, format, "by its content")
             }
         };
@@ -139,6 +148,47 @@ impl Reading {
             regions: Vec::new(),
             ..self.clone()
         }
+    }
+
+    /// Lists the options that were given, as `name=value`.
+    pub fn given(&self) -> Vec<String> {
+        let returns = match self.returns {
+            Return::All => None,
+            Return::First => Some("first"),
+            Return::Last => Some("last"),
+            Return::Single => Some("single"),
+        };
+        let columns = self.columns.as_ref();
+        let columns = columns.map(|[x, y]| format!("columns={},{}", word(x), word(y)));
+        let all = |name: &str, values: Vec<String>| {
+            (!values.is_empty()).then(|| format!("{name}={}", values.join(",")))
+        };
+        let single = [
+            columns,
+            self.from.map(|format| format!("from={format}")),
+            all("class", self.classes.iter().map(u8::to_string).collect()),
+            returns.map(|which| format!("return={which}")),
+            self.flatness.map(|length| format!("flatness={length}")),
+            all("region", self.regions.iter().map(f64::to_string).collect()),
+            all("layer", self.layers.clone()),
+        ];
+        single.into_iter().flatten().collect()
+    }
+
+    /// Reads options as [`given`](Self::given) lists them.
+    ///
+    /// *Errors*: in words, if they are none.
+    pub fn named(options: &[String]) -> Result<Self, String> {
+        #[derive(clap::Parser)]
+        #[command(no_binary_name = true)]
+        struct Line {
+            #[command(flatten)]
+            reading: Reading,
+        }
+        let line = options.iter().map(|option| format!("--{option}"));
+        let line = <Line as clap::Parser>::try_parse_from(line);
+        line.map(|line| line.reading)
+            .map_err(|error| config::in_words(&error))
     }
 
     fn options(&self) -> ReadOptions {
@@ -420,5 +470,28 @@ mod tests {
         );
         assert_eq!(columns("2,1"), Ok([1, 0].map(Column::Index)));
         assert!(columns("lon").is_err());
+    }
+
+    #[test]
+    fn options_can_be_listed_and_read_again() {
+        let some = Reading {
+            columns: Some([Column::Name("lon".to_owned()), Column::Index(3)]),
+            from: Some(Format::Table),
+            classes: vec![2, 9],
+            returns: Return::Last,
+            flatness: Some(1e-9),
+            regions: vec![-1.5, 3.0],
+            layers: ["walls", "north side"].map(str::to_owned).to_vec(),
+        };
+        let listed = some.given();
+        assert_eq!(listed.len(), 7);
+        assert_eq!(listed[0], "columns=lon,4");
+        assert_eq!(listed[5], "region=-1.5,3");
+        for reading in [some, Reading::default()] {
+            assert!(Reading::named(&reading.given()) == Ok(reading));
+        }
+        for wrong in ["flatness=-1", "output=a.csv", "help", "class=300"] {
+            assert!(Reading::named(&[wrong.to_owned()]).is_err(), "{wrong}");
+        }
     }
 }

@@ -60,7 +60,8 @@ pub(super) fn of(format: Format) -> &'static str {
         }
         Format::Msh => {
             "Physical curves are markers of constrained edges, physical surfaces the regions of triangles; data of \
-             nodes and elements are attributes. Written is version 4.1, read are 4.1 and 2.2, text and binary."
+             nodes and elements are attributes. Of an element in several groups the first counts, and that is said. \
+             Written is version 4.1, read are 4.1 and 2.2, text and binary."
         }
         Format::Msh2 => "As .msh, written in version 2.2 for programs that read no other.",
         Format::Jigsaw => {

@@ -30,7 +30,7 @@ pub struct Certify {
     /// the name of the mesh with .certificate.json and .lineage.csv]
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     certificate: Option<Option<PathBuf>>,
-    /// Write a table that says of each vertex, constrained edge and triangle where it comes from (.csv)
+    /// Write a table that says of each vertex, constrained edge and triangle where it comes from (.csv, .parquet)
     #[arg(long, value_name = "FILE")]
     lineage: Option<PathBuf>,
 }
@@ -70,8 +70,14 @@ impl Certify {
         };
         let named = |extension: &str| mesh.with_extension(extension);
         let table = self.lineage.as_deref();
-        if table.is_some_and(|path| Format::from_path(path) != Some(Format::Table)) {
-            return usage("--lineage writes a table; name one, as in `--lineage mesh.lineage.csv`");
+        let is_table = |path| {
+            let format = Format::from_path(path).filter(|format| format.is_built());
+            matches!(format, Some(Format::Table | Format::Parquet))
+        };
+        if table.is_some_and(|path| !is_table(path)) {
+            return usage(
+                "--lineage writes a table; name one, as in `--lineage mesh.lineage.csv` or .parquet",
+            );
         }
         let asked = self.certificate.as_ref();
         let certificate =
@@ -206,7 +212,10 @@ impl Subject {
         let files = input.files().into_iter().chain(sizing.files()).chain(areas);
         let facts = files.map(|file| digest_file(&file, progress).map_err(files::unreadable));
         Ok(Self {
-            facts: InputFacts::of(&pslg, facts.collect::<Result<_, _>>()?),
+            facts: InputFacts {
+                reading: reading.given(),
+                ..InputFacts::of(&pslg, facts.collect::<Result<_, _>>()?)
+            },
             pslg,
             rule,
             sizes,

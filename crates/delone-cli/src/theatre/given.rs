@@ -49,7 +49,7 @@ pub fn look_at(arg: &Path, progress: &Progress) -> Result<Vec<Lent>, Failure> {
     if log.is_some() {
         read_log(&source, progress).map_err(unreadable)?;
     }
-    let format = Format::from_path(arg).or_else(|| Format::sniff(&head));
+    let format = Format::from_path(arg).or_else(|| files::sniff(&source));
     let paths = match log {
         Some(_) => vec![arg.to_owned()],
         None => read(

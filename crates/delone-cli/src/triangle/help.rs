@@ -18,6 +18,7 @@ Refinement:
   -S100   at most 100 new vertices, those at crossings not counted; -S: none
 Output, as FILE.1.* (FILE.2.* of FILE.1.*):
   -e -n   also write .edge, .neigh
+  -g      also write .off, for Geomview; not with -o2
   -v      also write the Voronoi diagram, .v.node and .v.edge: vertex and edge numbers are those of
           .ele and .edge; a true one if the triangles are Delaunay (-D, or no segments)
   -A      a number for each triangle: the attribute of its region
@@ -36,7 +37,6 @@ Accepted, but nothing to choose here:
 Refused:
   -u      no test of one's own: `delone mesh --sizing` takes a formula or a file of sizes
   -w      no weights: `delone voronoi FILE --weights COLUMN` makes power cells
-  -g      no .off file: `delone convert FILE.1.ele FILE.vtu` for a viewer
 
 Examples:
   delone triangle -pq30a0.1D file.poly     file.1.node, file.1.ele, file.1.poly

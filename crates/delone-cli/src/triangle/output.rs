@@ -66,6 +66,7 @@ impl Writer<'_> {
             (Format::Poly, has_segments && !no_poly && !in_place),
             (Format::Edge, self.switches.edges),
             (Format::Neigh, self.switches.neighbors),
+            (Format::Off, self.switches.off),
         ];
         let asked = asked.into_iter().filter(|&(_, is_asked)| is_asked);
         let target = |(format, _): (Format, bool)| {

@@ -44,6 +44,8 @@ pub struct Switches {
     pub edges: bool,
     /// `-n`.
     pub neighbors: bool,
+    /// `-g`: for Geomview.
+    pub off: bool,
     /// `-v`: the Voronoi diagram.
     pub voronoi: bool,
     /// `-P`.
@@ -130,6 +132,7 @@ impl Switches {
             'B' => self.no_markers = true,
             'e' => self.edges = true,
             'n' => self.neighbors = true,
+            'g' => self.off = true,
             'v' => self.voronoi = true,
             'P' => self.no_poly = true,
             'N' => self.no_node = true,
@@ -137,16 +140,20 @@ impl Switches {
             'I' => self.in_place = true,
             'Q' => self.quiet = true,
             'i' | 'F' | 'l' | 's' | 'C' | 'X' | 'V' | 'z' => {}
-            'u' | 'g' | 'w' | 'W' => return Err(usage(refusal(letter).to_owned())),
+            'u' | 'w' | 'W' => return Err(usage(refusal(letter).to_owned())),
             _ => return Err(usage(format!("-{letter} is no switch of Triangle"))),
         }
         Ok(())
     }
 
-    /// Requires that nothing that is read is overwritten.
+    /// Requires that nothing that is read is overwritten, and that every file can hold what it is to hold.
     pub fn require_sense(&self) -> Result<(), Failure> {
         if self.in_place && self.mesh {
             let clash = "-I and -r would overwrite the mesh that is read; leave -I out";
+            return Err(usage(clash.to_owned()));
+        }
+        if self.off && self.quadratic {
+            let clash = "-g and -o2: .off has no place for six nodes a triangle; leave one out";
             return Err(usage(clash.to_owned()));
         }
         Ok(())
@@ -164,12 +171,9 @@ fn refusal(letter: char) -> &'static str {
             "-u: a test of one's own cannot be built in; `delone mesh --sizing` takes a formula or \
              a file of sizes"
         }
-        'w' | 'W' => {
+        _ => {
             "-w: weighted triangulations are not written; `delone voronoi FILE --weights COLUMN` makes \
              their power cells"
-        }
-        _ => {
-            "-g: .off files are not written; convert the mesh, `delone convert FILE.1.ele FILE.vtu`"
         }
     }
 }
@@ -267,7 +271,7 @@ mod tests {
     fn every_switch_that_only_chooses_an_algorithm_is_accepted() {
         let (switches, _) = parse("-iFlsCXVVVz f").expect("switches");
         assert_eq!(switches, Switches::default());
-        let (switches, _) = parse("-cOAjBenvPNEIQ f").expect("switches");
+        let (switches, _) = parse("-cOAjBengvPNEIQ f").expect("switches");
         let all = [
             switches.hull,
             switches.no_holes,
@@ -276,6 +280,7 @@ mod tests {
             switches.no_markers,
             switches.edges,
             switches.neighbors,
+            switches.off,
             switches.voronoi,
             switches.no_poly,
             switches.no_node,
@@ -283,13 +288,13 @@ mod tests {
             switches.in_place,
             switches.quiet,
         ];
-        assert_eq!(all, [true; 13]);
+        assert_eq!(all, [true; 14]);
     }
 
     #[test]
     fn every_letter_is_understood_or_refused_with_a_sentence() {
-        let understood = "aABcCDeEFhiIjlLnNoOpPqQrsSvVXYz";
-        let refused = "guwW";
+        let understood = "aABcCDeEFghiIjlLnNoOpPqQrsSvVXYz";
+        let refused = "uwW";
         for letter in ('a'..='z').chain('A'..='Z') {
             let number = if letter == 'o' { "2" } else { "" };
             let said = parse(&format!("-{letter}{number} f"));
@@ -317,7 +322,8 @@ mod tests {
             ("-pG f", "-G is no switch of Triangle"),
             ("-p° f", "-° is no switch"),
             ("-pu f", "delone mesh --sizing"),
-            ("-g f", "delone convert"),
+            ("-w f", "delone voronoi"),
+            ("-pgo2 f", "-g and -o2"),
             ("-rI f", "-I and -r"),
             ("-p", "no file is named"),
             ("-p f g", "not both f and g"),

@@ -22,6 +22,8 @@ mod write;
 pub use digest::digest_file;
 pub(crate) use digest::{Hashing, hex};
 pub use lineage::{Along, Lineage, OfEdge, OfVertex};
+#[cfg(feature = "parquet")]
+pub(crate) use lineage::{COLUMNS, ELEMENTS, ORIGINS, Row};
 pub use prove::{Claim, Proof, ProveError, prove};
 pub use schema::{
     AskedFor, FileFact, InputFacts, Maker, MeshCertificate, MeshFacts, Reached, RegionFacts,

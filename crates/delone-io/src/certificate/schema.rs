@@ -79,6 +79,9 @@ pub struct InputFacts {
     pub sample: Option<String>,
     /// The files.
     pub files: Vec<FileFact>,
+    /// Options that tell which part of them was read, and how, as `name=value`; left out if there were none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reading: Vec<String>,
     /// How many points they hold.
     pub points: usize,
     /// How many segments.
@@ -99,6 +102,7 @@ impl InputFacts {
         Self {
             sample: None,
             files,
+            reading: Vec::new(),
             points: pslg.points.len(),
             segments: pslg.segments.len(),
             polygons: pslg.polygons.len(),

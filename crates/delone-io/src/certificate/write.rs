@@ -1,6 +1,8 @@
 //! A mesh and its papers, written together.
 
 use super::{Lineage, MeshCertificate};
+#[cfg(feature = "parquet")]
+use crate::parquet;
 use crate::points::unsupported;
 use crate::write::stage_mesh;
 use crate::{Error, Format, MeshView, Target, WriteOptions};
@@ -10,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// What is written besides a mesh.
 #[derive(Clone, Copy, Default)]
 pub struct Papers<'a> {
-    /// The table of lineage: `.csv`, `.tsv` or another extension of tables.
+    /// The table of lineage: `.csv` or another extension of tables, or `.parquet`.
     pub lineage: Option<(&'a Path, &'a Lineage)>,
     /// The certificate, to which the hashes of all other files are added.
     pub certificate: Option<(&'a Path, &'a MeshCertificate)>,
@@ -34,14 +36,16 @@ pub fn write_certified(
     let mut staging = stage_mesh(targets, mesh, options, extra as u64, true, watch)?;
     let output = staging.take_digests();
     if let Some((path, lineage)) = papers.lineage {
-        // A table of another kind needs no more than a branch here.
         let target = Target::from_arg(path, None);
-        let format = target.format()?;
-        if format != Format::Table {
-            let is_table = |format| format == Format::Table;
-            return Err(unsupported(&target, format, "hold lineage", is_table));
-        }
-        staging.write(Some(path), |out| lineage.write(out, watch))?;
+        staging.write(Some(path), |out| match target.format()? {
+            Format::Table => lineage.write(out, watch),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => parquet::write_lineage(out, lineage),
+            format => {
+                let is_table = |format| matches!(format, Format::Table | Format::Parquet);
+                Err(unsupported(&target, format, "hold lineage", is_table))
+            }
+        })?;
     }
     let lineage = staging.take_digests().pop();
     if let Some((path, certificate)) = papers.certificate {

@@ -39,13 +39,11 @@ pub(super) const fn of(format: Format) -> u32 {
         Format::Node => POINTS_IN | MESH_IN | POINTS_OUT | MESH_OUT | QUADRATIC_OUT,
         Format::Ele => POINTS_IN | MESH_IN | MESH_OUT | QUADRATIC_OUT,
         Format::Edge | Format::Neigh => MESH_OUT | QUADRATIC_OUT,
-        Format::Poly => POINTS_IN | SEGMENTS_IN | SEGMENTS_OUT | MESH_OUT | QUADRATIC_OUT,
+        Format::Poly => POINTS_IN | SEGMENTS_IN | ALL_OUT | QUADRATIC_OUT,
         Format::Npy => POINTS_IN | MESH_IN | POINTS_OUT | MESH_OUT | LINKS_OUT | RASTER_OUT,
         Format::Table => POINTS_IN | POINTS_OUT | LINKS_OUT | RASTER_OUT,
         Format::Parquet => POINTS_IN | SEGMENTS_IN | MESH_IN | POINTS_OUT | MESH_OUT,
-        Format::GeoJson => {
-            POINTS_IN | SEGMENTS_IN | SEGMENTS_OUT | MESH_OUT | CELLS_OUT | LINKS_OUT | CONTOURS_OUT
-        }
+        Format::GeoJson => POINTS_IN | SEGMENTS_IN | ALL_OUT | CELLS_OUT | LINKS_OUT | CONTOURS_OUT,
         Format::Wkt | Format::Shp => POINTS_IN | SEGMENTS_IN,
         Format::Las => POINTS_IN,
         Format::Vtu => ALL_IN | ALL_OUT | QUADRATIC_OUT | CELLS_OUT,

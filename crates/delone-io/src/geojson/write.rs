@@ -3,7 +3,7 @@
 //! A vertex attribute named `z` becomes the third coordinate; others have no place in the format.
 
 use crate::target::Output;
-use crate::{Attribute, Constraints, DomainData, Error, MeshView};
+use crate::{Attribute, Constraints, DomainData, Error, MeshView, PointSet};
 use delone::{Point, VertexId};
 
 /// Writes triangles as polygons with their regions and attributes as properties, and constrained
@@ -83,10 +83,17 @@ pub(crate) fn write_domain(out: &mut Output<'_>, domain: &DomainData) -> Result<
         }
     }
     for v in loose_points(domain) {
-        list.next(|out| {
-            write_marker(out, None)?;
-            vertices.write_geometry(out, "Point", |out| vertices.write_position(out, v))
-        })?;
+        list.next(|out| vertices.write_point(out, v))?;
+    }
+    list.end()
+}
+
+/// Writes points.
+pub(crate) fn write_points(out: &mut Output<'_>, points: &PointSet) -> Result<(), Error> {
+    let vertices = Vertices::new(&points.points, &points.attributes);
+    let mut list = List::begin(out)?;
+    for v in 0..points.points.len() {
+        list.next(|out| vertices.write_point(out, VertexId::new(v)))?;
     }
     list.end()
 }
@@ -195,6 +202,11 @@ impl<'a> Vertices<'a> {
     ) -> Result<(), Error> {
         write_marker(out, marker)?;
         self.write_geometry(out, "LineString", |out| self.write_line(out, line))
+    }
+
+    fn write_point(&self, out: &mut Output<'_>, v: VertexId) -> Result<(), Error> {
+        write_marker(out, None)?;
+        self.write_geometry(out, "Point", |out| self.write_position(out, v))
     }
 
     fn write_geometry<'w>(

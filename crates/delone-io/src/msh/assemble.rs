@@ -38,10 +38,11 @@ impl Parts {
         filled.map_err(|problem| cursor.fail_whole(problem))?;
         sort(&mut self.lines);
         sort(&mut self.triangles);
+        let in_several = self.are_in_several_groups();
         self.drop_repeated_triangles();
         let quadratic = !self.triangles.is_empty() && self.num_quadratic >= self.triangles.len();
         let vertex_of = self.vertices(cursor)?;
-        self.note_groups();
+        self.note_groups(in_several);
         let triangle_attributes = self.triangle_attributes();
         let constraints = self.constraints(&vertex_of);
         let corners = |t: &Element<3>| t.corners.map(|v| VertexId::from(vertex_of[v as usize]));
@@ -83,13 +84,7 @@ impl Parts {
         if self.groupings.is_empty() {
             return;
         }
-        let sorted = |t: &Element<3>| {
-            let mut corners = t.corners;
-            corners.sort_unstable();
-            corners
-        };
-        let mut keys: Vec<_> = self.triangles.iter().map(sorted).zip(0..).collect();
-        keys.sort_unstable();
+        let keys = by_corners(&self.triangles);
         let same = keys.chunk_by(|a, b| a.0 == b.0).flat_map(|same| &same[1..]);
         let repeated: BTreeSet<usize> = same.map(|&(_, place)| place).collect();
         if repeated.is_empty() {
@@ -106,8 +101,23 @@ impl Parts {
         ));
     }
 
-    /// Says which groups and names a mesh has no place for.
-    fn note_groups(&mut self) {
+    /// Tells whether an element is in several groups: by its entity or, in version 2, since it is there once for each.
+    fn are_in_several_groups(&self) -> bool {
+        let mut lists = self
+            .triangles
+            .iter()
+            .map(|t| t.groups)
+            .chain(self.lines.iter().map(|l| l.groups))
+            .chain(self.points.iter().map(|p| p.groups));
+        !self.groupings.is_empty()
+            && (lists.any(|groups| self.groupings.list(groups).len() > 1)
+                || are_repeated_in_other_groups(&self.triangles)
+                || are_repeated_in_other_groups(&self.lines)
+                || are_repeated_in_other_groups(&self.points))
+    }
+
+    /// Says which groups and names a mesh has no place for; `in_several` tells whether elements are in several groups.
+    fn note_groups(&mut self, in_several: bool) {
         let names = &self.names.0;
         let is_other = |&(&(dimension, _), name): &(&(i64, i32), &String)| {
             let start = if dimension == 2 { REGION } else { MARKER };
@@ -130,13 +140,7 @@ impl Parts {
             self.notes
                 .push(format!("names of groups are not kept: {listed}{more}"));
         }
-        let mut lists = self
-            .triangles
-            .iter()
-            .map(|t| t.groups)
-            .chain(self.lines.iter().map(|l| l.groups))
-            .chain(self.points.iter().map(|p| p.groups));
-        if lists.any(|groups| self.groupings.list(groups).len() > 1) {
+        if in_several {
             let text = "of elements in several physical groups only the first group is kept";
             self.notes.push(text.to_owned());
         }
@@ -185,13 +189,7 @@ impl Parts {
     /// Makes constrained edges of lines, each once; of one that is there twice the first marker counts.
     fn constraints(&self, vertex_of: &[u32]) -> Option<Constraints> {
         let markers = self.numbers(1, self.lines.iter().map(|l| l.groups));
-        let mut keys: Vec<_> = (self.lines.iter().map(|l| {
-            let [a, b] = l.corners;
-            [a.min(b), a.max(b)]
-        }))
-        .zip(0..)
-        .collect();
-        keys.sort_unstable();
+        let keys = by_corners(&self.lines);
         let mut firsts: Vec<usize> = keys
             .chunk_by(|a, b| a.0 == b.0)
             .map(|same| same[0].1)
@@ -241,12 +239,12 @@ impl Parts {
         }
     }
 
-    /// Returns the groups of points as markers of their nodes.
+    /// Returns the groups of points as markers of their nodes; of a point that is there twice the first counts.
     fn markers_of_points(&self) -> Option<Vec<i32>> {
         let numbers = self.numbers(0, self.points.iter().map(|p| p.groups));
         (!numbers.is_empty()).then(|| {
             let mut markers = vec![0; self.nodes.points.len()];
-            for point in &self.points {
+            for point in self.points.iter().rev() {
                 if let Some(&marker) = numbers.get(&point.groups) {
                     markers[point.corners[0] as usize] = marker;
                 }
@@ -261,6 +259,26 @@ fn sort<const N: usize>(elements: &mut [Element<N>]) {
     if !elements.is_sorted_by_key(|e| e.tag) {
         elements.sort_by_key(|e| e.tag);
     }
+}
+
+/// Lists the corners of elements, whatever their order, with their places: equal ones together, the first one first.
+fn by_corners<const N: usize>(elements: &[Element<N>]) -> Vec<([u32; N], usize)> {
+    let sorted = |element: &Element<N>| {
+        let mut corners = element.corners;
+        corners.sort_unstable();
+        corners
+    };
+    let mut keys: Vec<_> = elements.iter().map(sorted).zip(0..).collect();
+    keys.sort_unstable();
+    keys
+}
+
+/// Tells whether an element is there several times, in different groups.
+fn are_repeated_in_other_groups<const N: usize>(elements: &[Element<N>]) -> bool {
+    let groups = |place: usize| elements[place].groups;
+    by_corners(elements)
+        .windows(2)
+        .any(|two| two[0].0 == two[1].0 && groups(two[0].1) != groups(two[1].1))
 }
 
 fn pick<T>(values: Vec<T>, keeps: impl Fn(usize) -> bool) -> Vec<T> {

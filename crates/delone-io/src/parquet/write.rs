@@ -2,8 +2,8 @@
 
 use crate::target::Output;
 use crate::{Attribute, Error, MeshView};
-use parquet::basic::{Compression, Repetition, Type as Physical, ZstdLevel};
-use parquet::data_type::{DoubleType, Int32Type, Int64Type};
+use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical, ZstdLevel};
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int32Type, Int64Type};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
@@ -18,6 +18,8 @@ const BATCH: usize = 1 << 15;
 struct Column<'a> {
     name: String,
     physical: Physical,
+    /// The words that values are places among, if they are texts.
+    words: &'a [&'a str],
     /// Whether values may be NaN, which are then nulls.
     is_optional: bool,
     /// Whether few values are repeated often.
@@ -26,19 +28,19 @@ struct Column<'a> {
 }
 
 /// The table to be written.
-struct Table<'a> {
+pub(super) struct Table<'a> {
     rows: usize,
     columns: Vec<Column<'a>>,
 }
 
 impl<'a> Table<'a> {
-    fn new(rows: usize) -> Self {
+    pub fn new(rows: usize) -> Self {
         let columns = Vec::new();
         Self { rows, columns }
     }
 
     /// Adds a column; a name that is taken gets an underscore more.
-    fn push(&mut self, name: &str, physical: Physical, value: impl Fn(usize) -> f64 + 'a) {
+    pub fn push(&mut self, name: &str, physical: Physical, value: impl Fn(usize) -> f64 + 'a) {
         let mut name = name.to_owned();
         while self.columns.iter().any(|column| column.name == name) {
             name.push('_');
@@ -46,6 +48,7 @@ impl<'a> Table<'a> {
         self.columns.push(Column {
             name,
             physical,
+            words: &[],
             is_optional: false,
             has_repetitions: false,
             value: Box::new(value),
@@ -57,6 +60,35 @@ impl<'a> Table<'a> {
         self.push(name, Physical::INT32, value);
         if let Some(column) = self.columns.last_mut() {
             column.is_optional = is_optional;
+            column.has_repetitions = true;
+        }
+    }
+
+    /// Adds a column of numbers, or NaN for none.
+    pub fn push_nullable(
+        &mut self,
+        name: &str,
+        physical: Physical,
+        value: impl Fn(usize) -> f64 + 'a,
+    ) {
+        self.push(name, physical, value);
+        if let Some(column) = self.columns.last_mut() {
+            column.is_optional = true;
+        }
+    }
+
+    /// Adds a column of words, each one of these.
+    pub fn push_words(
+        &mut self,
+        name: &str,
+        words: &'a [&'a str],
+        value: impl Fn(usize) -> &'a str + 'a,
+    ) {
+        let place = move |i| words.iter().position(|&word| word == value(i));
+        let place = move |i| place(i).expect("bug: a word that is not listed") as f64;
+        self.push(name, Physical::BYTE_ARRAY, place);
+        if let Some(column) = self.columns.last_mut() {
+            column.words = words;
             column.has_repetitions = true;
         }
     }
@@ -129,7 +161,7 @@ fn index_type(mesh: &MeshView<'_>) -> Physical {
 }
 
 /// Writes a table.
-fn write(out: &mut Output<'_>, table: &Table<'_>) -> std::result::Result<(), Error> {
+pub(super) fn write(out: &mut Output<'_>, table: &Table<'_>) -> std::result::Result<(), Error> {
     let file = out.file();
     let failed = |error: ParquetError| Error::Io {
         action: "write",
@@ -168,7 +200,9 @@ fn begin(table: &Table<'_>) -> Result<SerializedFileWriter<Vec<u8>>> {
             true => Repetition::OPTIONAL,
             false => Repetition::REQUIRED,
         };
+        let text = (column.physical == Physical::BYTE_ARRAY).then_some(LogicalType::String);
         let field = Type::primitive_type_builder(&column.name, column.physical);
+        let field = field.with_logical_type(text);
         fields.push(Arc::new(field.with_repetition(repetition).build()?));
         let path = ColumnPath::new(vec![column.name.clone()]);
         properties = properties.set_column_dictionary_enabled(path, column.has_repetitions);
@@ -195,7 +229,7 @@ fn write_batch(
         }
     }
     let levels = column.is_optional.then_some(&levels[..]);
-    // Integers are those of 32 bits, without loss in a double.
+    // Integers lose nothing in a double: they number points, or are of 32 bits.
     match column.physical {
         Physical::INT32 => {
             let values: Vec<i32> = values.iter().map(|&value| value as i32).collect();
@@ -207,6 +241,13 @@ fn write_batch(
             let values: Vec<i64> = values.iter().map(|&value| value as i64).collect();
             writer
                 .typed::<Int64Type>()
+                .write_batch(&values, levels, None)?;
+        }
+        Physical::BYTE_ARRAY => {
+            let word = |&place: &f64| ByteArray::from(column.words[place as usize]);
+            let values: Vec<_> = values.iter().map(word).collect();
+            writer
+                .typed::<ByteArrayType>()
                 .write_batch(&values, levels, None)?;
         }
         _ => {

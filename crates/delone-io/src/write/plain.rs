@@ -10,8 +10,8 @@ use std::path::PathBuf;
 
 /// Writes points to every target and returns the names of the files written.
 ///
-/// `.node`, tables and VTU carry attributes and markers; so does `.npy`, a `float64` array
-/// (n, 2 + attributes) with the markers, if any, as a last column. Pictures show bare points.
+/// `.node`, `.poly`, tables and VTU carry attributes and markers; so does `.npy`, a `float64` array
+/// (n, 2 + attributes) with the markers, if any, as a last column. GeoJSON carries `z`; pictures show bare points.
 ///
 /// # Errors
 /// As [`write_mesh`](crate::write_mesh).
@@ -46,6 +46,11 @@ fn write_bare(
     let base = usize::from(options.one_based);
     match target.format()? {
         Format::Node => node::write(out, &mesh, mesh.markers, base),
+        Format::Poly => {
+            node::write(out, &mesh, mesh.markers, base)?;
+            poly::write_graph(out, &mesh, None, base)
+        }
+        Format::GeoJson => geojson::write_points(out, points),
         Format::Npy => npy::write_points(out, &mesh),
         Format::Table => table::write_points(out, target.path.as_deref(), points),
         Format::Vtu => vtu::write(out, &mesh, &[]),

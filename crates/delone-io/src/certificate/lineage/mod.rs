@@ -10,12 +10,15 @@
 //! is not said; regions tell.
 
 mod read;
+mod row;
 mod verify;
 mod write;
 
 use crate::{Error, cancel};
 use delone::predicates::fraction_along;
 use delone::{ConstrainedTriangulation, Origin, Triangulation, VertexId, Watch};
+#[cfg(feature = "parquet")]
+pub(crate) use row::{COLUMNS, ELEMENTS, ORIGINS, Row};
 
 /// A place on a segment of the input, or on an edge of its convex hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,5 +141,104 @@ impl Lineage {
     /// Counts the rows of the table.
     pub fn num_rows(&self) -> usize {
         self.vertices.len() + self.edges.len() + self.regions.as_ref().map_or(0, Vec::len)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Format, MeshView, Papers, Source, WriteOptions, in_memory, write_certified};
+    use std::path::Path;
+
+    /// One of each kind.
+    fn all_kinds() -> Lineage {
+        let ids = |ends: [usize; 2]| ends.map(VertexId::new);
+        let along = |segment, at| Along { segment, at };
+        let edge = |segment, ends, at| OfEdge {
+            segment,
+            ends: ids(ends),
+            at,
+        };
+        Lineage {
+            vertices: vec![
+                OfVertex::Input,
+                OfVertex::Input,
+                OfVertex::Duplicate(VertexId::new(0)),
+                OfVertex::Crossing([along(0, 0.1), along(1, 1.0 - f64::EPSILON)]),
+                OfVertex::OnSegment(along(1, 0.5)),
+                OfVertex::OnSegment(along(3, 1e-300)),
+                OfVertex::Free,
+            ],
+            edges: vec![edge(0, [0, 3], [0.0, 0.1]), edge(3, [5, 1], [1e-300, 1.0])],
+            regions: Some(vec![Some(0), None, Some(7)]),
+            num_segments: 2,
+        }
+    }
+
+    fn written(name: &str, lineage: &Lineage) -> Vec<u8> {
+        let papers = Papers {
+            lineage: Some((Path::new(name), lineage)),
+            certificate: None,
+        };
+        let mesh = MeshView::new(&[], &[]);
+        let options = WriteOptions::default();
+        let write = || write_certified(&[], &mesh, &options, &papers, &());
+        let (_, mut files) = in_memory(write).expect("a table");
+        files.remove(0).bytes
+    }
+
+    fn read(bytes: Vec<u8>) -> Result<Lineage, Error> {
+        let name = "table".to_owned();
+        Lineage::read(&Source::Memory { name, bytes }, 2, &())
+    }
+
+    #[test]
+    fn every_row_comes_back() {
+        let formats = [Format::Table, Format::Parquet].into_iter();
+        for format in formats.filter(|format| format.is_built()) {
+            for lineage in [
+                all_kinds(),
+                Lineage {
+                    num_segments: 2,
+                    ..Lineage::default()
+                },
+            ] {
+                let bytes = written(&format!("a.{format}"), &lineage);
+                assert_eq!(read(bytes).expect("ours"), lineage, "{format}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_row_says_is_refused_by_its_line() {
+        let text = String::from_utf8(written("a.csv", &all_kinds())).expect("text");
+        for (from, to, words) in [
+            (
+                "element,",
+                "elements,",
+                "table:1: a table of lineage begins with",
+            ),
+            ("vertex,1,", "vertex,2,", "table:3: vertex 2 instead of 1"),
+            (
+                "crossing,0,0.1,",
+                "crossing,0,1.5,",
+                "at is 1.5, it must be a number from 0",
+            ),
+            (
+                "crossing,0,0.1,",
+                "crossing,0,,",
+                "at is missing, it must be",
+            ),
+            ("segment,1,0.5", "segment,2,0.5", "segment 2 of 2"),
+            ("segment,1,0.5", "street,1,0.5", "origin \"street\""),
+            ("duplicate,0", "duplicate,-1", "feature is \"-1\""),
+            ("free,,,,,,,", "free,,,,,,", "too few cells"),
+            ("triangle,2,", "tetrahedron,2,", "element \"tetrahedron\""),
+        ] {
+            assert!(text.contains(from), "{from} in {text}");
+            let error = read(text.replacen(from, to, 1).into_bytes());
+            let error = error.expect_err(from).to_string();
+            assert!(error.contains(words), "{error}");
+        }
     }
 }

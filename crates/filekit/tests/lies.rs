@@ -1,39 +1,13 @@
 //! Numbers in files that lie: whatever a header says, memory stays in proportion to the file.
 //!
-//! Every file under `data`, of every format, is read again and again; each time one of its numbers (in text), or four
-//! or eight of its bytes (in others), is huge. Peaks of allocation are measured.
+//! Every file under `tests/data` of `delone-io`, of every format, is read again and again; each time one of its numbers
+//! (in text), or four or eight of its bytes (in others), is huge. Peaks of allocation are measured.
 
+use delone_filekit::Meter;
 use delone_io::{Format, ReadOptions, Source, read_domain, read_mesh, read_points};
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
-
-/// The allocator of the system, which counts.
-struct Counting;
-
-static NOW: AtomicUsize = AtomicUsize::new(0);
-static PEAK: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: each call is passed on to the allocator of the system as it is; counting allocates nothing.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let now = NOW.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
-        PEAK.fetch_max(now, Ordering::Relaxed);
-        // SAFETY: the caller's promise is that of `System`.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        NOW.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's promise is that of `System`, where `place` comes from.
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// What a reader may take for a small file, lies or not: buffers, tables, decoders of compressed data.
 const LEAST: usize = 48 << 20;
@@ -55,8 +29,7 @@ fn read(name: &Path, bytes: Vec<u8>) -> (usize, Duration) {
         bytes,
     };
     let options = ReadOptions::default();
-    let before = NOW.load(Ordering::Relaxed);
-    PEAK.store(before, Ordering::Relaxed);
+    let meter = Meter::start();
     let start = Instant::now();
     // Whether these are results or errors is not asked here.
     if format.reads_mesh() {
@@ -65,7 +38,7 @@ fn read(name: &Path, bytes: Vec<u8>) -> (usize, Duration) {
     drop(read_points(&source, &options, &()));
     drop(read_domain(&source, &options, &()));
     let time = start.elapsed();
-    let peak = PEAK.load(Ordering::Relaxed) - before;
+    let peak = meter.peak();
     let least = match format {
         Format::Parquet => LEAST_OF_PARQUET,
         _ => LEAST,
@@ -148,7 +121,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
 fn numbers_that_lie_cost_no_memory() {
     let mut all = Vec::new();
     files(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data"),
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../delone-io/tests/data"),
         &mut all,
     );
     assert!(all.len() > 40, "{} files", all.len());
