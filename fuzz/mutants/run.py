@@ -4,10 +4,11 @@
     run.py TREE PACKAGE COUNT 'TESTS' GROUP...
 
 TREE is a copy of the repository that may be spoilt, PACKAGE the directory in `crates`, GROUP a name and patterns of
-files below `src`, `mesh=mesh/*.rs,mesh/**/*.rs`; TESTS are arguments of `cargo test`, `--lib --test builders`. A mutant
-is killed if any of these tests fails, or takes a minute. Prints the survivors and a table.
+files below `src`, `mesh=mesh/*.rs,mesh/**/*.rs`; TESTS are arguments of `cargo test`, `--lib --test builders`, and
+`DELONE_FILTERS` names some of the library's own. A mutant is killed if any of these tests fails, takes 20 seconds more than
+five times as long as without it, or more than 4 GiB. Prints the survivors and a table.
 """
-import collections, glob, json, os, re, subprocess, sys, time
+import collections, glob, json, os, re, resource, subprocess, sys, time
 
 tree, package, count, tests, *groups = sys.argv[1:]
 os.chdir(tree)
@@ -22,52 +23,63 @@ for group in groups:
     names.append(name)
 clean = {f: open(f).read() for f in [*files, f"{root}/lib.rs"] if f != "--"}
 skipped = set()
-
-
-def cargo(command, *more):
-    ran = subprocess.run(["cargo", command, "-p", package, *features, *more, "--message-format=json"], capture_output=True, text=True)
-    return ran, [json.loads(line) for line in ran.stdout.splitlines() if line.startswith("{")]
-
+# No mutant may leave cases for the next one.
+os.environ["PROPTEST_DISABLE_FAILURE_PERSISTENCE"] = "1"
 
 while True:
     for f, text in clean.items():
         open(f, "w").write(text)
     listed = subprocess.run([tool, f"{root}/lib.rs", count, ",".join(map(str, skipped)), *files], check=True, capture_output=True, text=True)
     mutants = [line.split("\t") for line in listed.stdout.splitlines()]
-    # What does not compile is found sooner without making code.
-    build, messages = cargo("check", "--lib")
+    command = ["cargo", "test", "-p", package, *features, *tests.split(), "--no-run", "--message-format=json"]
+    build = subprocess.run(command, capture_output=True, text=True)
+    messages = [json.loads(line) for line in build.stdout.splitlines() if line.startswith("{")]
     if build.returncode == 0:
         break
     before = len(skipped)
     for m in messages:
         if m["reason"] == "compiler-message" and m["message"]["level"] == "error":
-            for span in m["message"]["spans"]:
+            for span in (s for s in m["message"]["spans"] if s["file_name"] in clean):
                 lines = open(span["file_name"]).read().splitlines()
                 text = "\n".join(lines[max(0, span["line_start"] - 3) : span["line_end"] + 2])
                 skipped |= {int(n) for n in re.findall(r"mutant\((\d+)\)", text)}
     print(f"{len(skipped)} do not compile", flush=True)
     if len(skipped) == before:
         sys.exit(build.stderr[-3000:] + "".join(m["message"]["rendered"] for m in messages if m["reason"] == "compiler-message")[:6000])
-build, messages = cargo("test", *tests.split(), "--no-run")
-if build.returncode:
-    sys.exit(build.stderr[-3000:])
-programs = [m["executable"] for m in messages if m["reason"] == "compiler-artifact" and m.get("executable") and m["profile"]["test"]]
-filters = os.environ.get("DELONE_FILTERS", "").split()
+# The library's own tests, among which the filters choose, are quick, and come first.
+filters = {"lib": os.environ.get("DELONE_FILTERS", "").split()}
+built = [m for m in messages if m["reason"] == "compiler-artifact" and m.get("executable") and m["profile"]["test"]]
+built.sort(key=lambda m: m["target"]["kind"] != ["lib"])
+programs = [(m["executable"], filters.get(m["target"]["kind"][0], [])) for m in built]
+longest = 600
+
+
+def limited():
+    """A mutant may run, and take memory, for ever."""
+    resource.setrlimit(resource.RLIMIT_CPU, (longest, longest))
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
 
 
 def outcome(number):
-    for program in programs:
-        try:
-            ran = subprocess.run([program, "-q", *filters], env={**os.environ, "DELONE_MUTANT": number}, cwd=f"crates/{package}", capture_output=True, timeout=60)
-        except subprocess.TimeoutExpired:
-            return "killed"
-        if ran.returncode:
+    for program, arguments in programs:
+        environment = {**os.environ, "DELONE_MUTANT": number}
+        child = subprocess.Popen([program, *arguments], env=environment, cwd=f"crates/{package}", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=limited)
+        # The first test that fails is enough.
+        if any(line.endswith("FAILED\n") for line in child.stdout):
+            child.kill()
+        if child.wait():
             return "killed"
     return "survived"
 
 
-start = time.time()
+def used():
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
+start, before = time.time(), used()
 assert outcome("0") == "survived", "the tests fail without a mutant"
+# Of processor time, so that a busy machine kills none.
+longest = 20 + int(5 * (used() - before))
 print(f"{len(mutants) - len(skipped)} mutants, {time.time() - start:.1f} s for the tests", flush=True)
 limit = float(os.environ.get("DELONE_SECONDS", "1e9"))
 table = collections.defaultdict(collections.Counter)

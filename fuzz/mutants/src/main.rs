@@ -79,10 +79,10 @@ fn other(op: &BinOp) -> Option<(BinOp, &'static str)> {
 
 /// What a turn about a triangle becomes.
 fn turned(call: &ExprMethodCall) -> Option<&'static str> {
-    match &call.method {
-        m if !call.args.is_empty() => None,
-        m if m == "next" => Some("prev"),
-        m if m == "prev" => Some("next"),
+    match call.method.to_string().as_str() {
+        _ if !call.args.is_empty() => None,
+        "next" => Some("prev"),
+        "prev" => Some("next"),
         _ => None,
     }
 }

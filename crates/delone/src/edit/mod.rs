@@ -354,3 +354,23 @@ fn is_straight(chain: &[VertexId], point: impl Fn(VertexId) -> Point) -> bool {
         .iter()
         .all(|&v| is_between(point(first), point(last), point(v)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_kept_only_while_they_may_be_undone() {
+        let mut live = LiveTriangulation::new();
+        let done = live.transaction(|live| {
+            live.insert((0.0, 0.0))?;
+            live.insert((1.0, 0.0))?;
+            assert_eq!(live.journal.len(), 2);
+            Ok::<_, EditError>(())
+        });
+        assert_eq!(done, Ok(()));
+        assert!(live.journal.is_empty());
+        live.insert((0.0, 1.0)).expect("finite");
+        assert!(live.journal.is_empty());
+    }
+}

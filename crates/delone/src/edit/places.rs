@@ -113,6 +113,12 @@ mod tests {
     }
 
     #[test]
+    fn both_zeros_are_one_place() {
+        let [p, q] = [Point::new(0.0, 1.0), Point::new(-0.0, 1.0)];
+        assert_eq!(Key::of(p), Key::of(q));
+    }
+
+    #[test]
     fn a_vertex_is_near_itself_and_its_cell() {
         let lattice: Vec<_> = (0..256)
             .map(|i| Point::new(f64::from(i % 16), f64::from(i / 16)))

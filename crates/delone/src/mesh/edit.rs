@@ -606,6 +606,38 @@ mod tests {
     }
 
     #[test]
+    fn fill_joins_a_vertex_to_the_rim() {
+        // One, three and five triangles: two too few, enough, two too many.
+        for inner in 0..3 {
+            let mut mesh = triangle();
+            for i in 0..inner {
+                mesh.split_face(edge(&mesh, v(0), v(1)).triangle(), v(3 + i));
+            }
+            let rim = [[1, 0], [2, 1], [0, 2]].map(|[from, to]| edge(&mesh, v(from), v(to)));
+            let all = (0..mesh.num_faces()).map(TriangleId::new);
+            let mut faces: Vec<_> = all.filter(|&t| !mesh.is_ghost(t)).collect();
+            let mut free = Vec::new();
+            let spoke = mesh.fill(&mut faces, &rim, &mut free, v(7));
+            assert_eq!(
+                (faces.len(), free.len()),
+                (3, if inner == 2 { 2 } else { 0 })
+            );
+            assert_eq!(mesh.origin(spoke), v(7));
+            assert_eq!(mesh.star(spoke).count(), 3);
+            let link = link(&mesh, &rim.map(|h| mesh.twin(h)));
+            let expected = [[0, 1, 7], [1, 2, 7], [2, 0, 7]];
+            assert_eq!(link, expected.map(|ends| ends.map(v)));
+            if inner == 2 {
+                // What was left over is taken for the next disc.
+                let rim = faces[0].half_edges().map(|h| mesh.twin(h));
+                mesh.fill(&mut vec![faces[0]], &rim, &mut free, v(8));
+                assert!(free.is_empty());
+            }
+            mesh.validate().expect("filled");
+        }
+    }
+
+    #[test]
     fn ghosts_go_last_and_vertices_are_renamed() {
         let mut mesh = triangle();
         mesh.split_face(edge(&mesh, v(2), v(1)).triangle(), v(3));

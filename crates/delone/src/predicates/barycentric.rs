@@ -202,6 +202,14 @@ mod tests {
     }
 
     #[test]
+    fn common_factors_are_taken_out() {
+        let reduced = |c: [i32; 3]| Barycentric(c.map(BigInt::from)).reduced().0;
+        assert_eq!(reduced([4, -6, 10]), [2, -3, 5].map(BigInt::from));
+        assert_eq!(reduced([0, 0, 7]), [0, 0, 1].map(BigInt::from));
+        assert_eq!(reduced([0; 3]), [0; 3].map(BigInt::from));
+    }
+
+    #[test]
     fn sub_triangles_share_their_edges() {
         let t = of(30.0, 20.0);
         let cases = [

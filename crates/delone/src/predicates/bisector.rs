@@ -121,14 +121,15 @@ mod tests {
             bits ^= bits << 13;
             bits ^= bits >> 7;
             bits ^= bits << 17;
-            // Of a small lattice, too, where ties are.
-            match round % 2 {
+            // Of small lattices, too, where ties are, and what nearly is one.
+            match round % 3 {
                 0 => (bits >> 11) as f64 / (1_u64 << 53) as f64,
-                _ => (bits >> 61) as f64,
+                1 => (bits >> 61) as f64,
+                _ => (bits >> 61) as f64 * 1e3 / 7.0,
             }
         };
         let [mut orders, mut places, mut ties] = [0; 3];
-        for round in 0..4000 {
+        for round in 0..6000 {
             let [p, q, site, a, b] = [(); 5].map(|()| Point::new(next(round), next(round)));
             let towards = |s: Point| (s.x - site.x) * (q.x - p.x) + (s.y - site.y) * (q.y - p.y);
             if towards(a) < 0.1 || towards(b) < 0.1 {

@@ -119,3 +119,16 @@ fn filtered([a, b, c]: [Point; 3]) -> Option<Known> {
         bound: BOUND * (reach + center.high.abs() + ratio * radius.high),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn circles_that_are_nearly_lines_are_not_known() {
+        let through = |y: f64| Bottom::new([(0.0, 0.0), (1.0, 1.0), (2.0, y)].map(Point::from));
+        assert!(through(2.5).rounded().is_some());
+        assert!(through(2.0 + 2_f64.powi(-30)).rounded().is_some());
+        assert_eq!(through(2.0 + 2_f64.powi(-45)).rounded(), None);
+    }
+}

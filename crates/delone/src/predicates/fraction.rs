@@ -105,6 +105,13 @@ mod tests {
     }
 
     #[test]
+    fn of_two_equal_axes_the_first_counts() {
+        let [a, b] = [(1.0, 3.0), (5.0, -1.0)].map(Point::from);
+        assert_eq!(fraction_along([a, b], Point::new(2.0, 1.0)), 0.25);
+        assert_eq!(fraction_along([b, a], Point::new(2.0, 1.0)), 0.75);
+    }
+
+    #[test]
     fn of_two_nearest_the_even_one_counts() {
         let ulp = 1.0 / STEPS;
         let two = 1.0 + ulp;

@@ -563,3 +563,83 @@ fn in_diametral_circle_exact(a: Point, b: Point, p: Point) -> CircleSide {
     let sign = integer::diametral(a, b, p).unwrap_or_else(|| exact::diametral(a, b, p));
     CircleSide::from_sign(sign.reverse())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All vectors with small integer coordinates.
+    fn small_vectors() -> impl Iterator<Item = [i32; 2]> {
+        (-2..=2).flat_map(|x| (-2..=2).map(move |y| [x, y]))
+    }
+
+    fn place([x, y]: [i32; 2], scale: f64) -> Point {
+        Point::new(f64::from(x) * scale, f64::from(y) * scale)
+    }
+
+    #[test]
+    fn ways_are_compared_by_their_products() {
+        // From where squares underflow to where they overflow.
+        for scale in [2_f64.powi(-1000), 2_f64.powi(-500), 1.0, 2_f64.powi(700)] {
+            for [ux, uy] in small_vectors() {
+                for [vx, vy] in small_vectors() {
+                    let way = [[-1, 5], [ux - 1, uy + 5]].map(|p| place(p, scale));
+                    let ends = [[3, -2], [vx + 3, vy - 2]].map(|p| place(p, scale));
+                    assert_eq!(towards(way, ends), (ux * vx + uy * vy).cmp(&0));
+                    let turn = Orientation::from_sign((ux * vy - uy * vx).cmp(&0));
+                    assert_eq!(turning(way, ends), turn);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn products_that_are_nearly_zero_are_decided_exactly() {
+        // Multiples of 0.1, each rounded: what would be a tie is none, or only just.
+        let near = |p: [i32; 2]| place(p, 0.1);
+        for [ux, uy] in small_vectors() {
+            for [vx, vy] in small_vectors() {
+                let way = [near([11, 35]), near([11 + 3 * ux, 35 + 3 * uy])];
+                let ends = [near([7, 24]), near([7 + 5 * vx, 24 + 5 * vy])];
+                assert_eq!(towards(way, ends), exact::towards(way, ends));
+                let turn = Orientation::from_sign(exact::turning(way, ends));
+                assert_eq!(turning(way, ends), turn);
+            }
+        }
+    }
+
+    #[test]
+    fn segments_on_a_lattice_pass_what_is_between() {
+        let lattice = || small_vectors().map(|p| place(p, 1.0));
+        for a in lattice() {
+            for b in lattice() {
+                for p in lattice() {
+                    assert_eq!(passes([a, b], p), is_between(a, b, p), "{a:?} {b:?} {p:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn segments_pass_what_one_of_their_points_rounds_to() {
+        let assert_passes = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
+            for swap in [false, true] {
+                let place = |(x, y)| Point::from(if swap { (y, x) } else { (x, y) });
+                let [a, b, p] = [a, b, p].map(place);
+                assert!(passes([a, b], p) && passes([b, a], p), "{a:?} {b:?} {p:?}");
+            }
+        };
+        // Where y is 29/7, rounded, x is not quite 29.
+        assert_ne!(29.0 / 7.0 * 7.0, 29.0);
+        assert_passes((0.0, 0.0), (700.0, 100.0), (29.0, 29.0 / 7.0));
+        // Steep: near its ends the abscissa is that of the end, rounded.
+        let beside = 1.0_f64.next_up();
+        assert_passes((1.0, 0.0), (beside, 1.0), (1.0, 0.25));
+        assert_passes((1.0, 0.0), (beside, 1.0), (beside, 0.75));
+        let outside = Point::new(beside, 1.25);
+        assert!(!passes(
+            [Point::new(1.0, 0.0), Point::new(beside, 1.0)],
+            outside
+        ));
+    }
+}

@@ -156,3 +156,17 @@ fn from_parts(mantissa: u64, exponent: i32) -> f64 {
     // and so does the carry of 2⁵³.
     f64::from_bits((u64::from((exponent - LEAST).cast_unsigned()) << 52) + mantissa)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_have_54_bits_or_are_declined() {
+        let least = Root::of(1 << 106, true, 0).expect("54 bits");
+        assert_eq!((least.digits, least.is_exact), (1 << 53, true));
+        assert!(Root::of((1 << 106) - 1, true, 0).is_none());
+        assert!(Root::of(0, true, 0).is_some_and(|root| root.digits == 0));
+        assert!(Root::of(0, false, 0).is_none());
+    }
+}

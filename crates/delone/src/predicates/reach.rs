@@ -90,6 +90,29 @@ mod tests {
     }
 
     #[test]
+    fn what_rounding_hides_is_left_to_integers() {
+        let numbers = || (1..40).map(|i| f64::from(i) * 0.1);
+        for (x, y) in numbers().zip(numbers().rev()) {
+            let [a, b] = [Point::new(0.3, 0.7), Point::new(x, 3.0 * y)];
+            for t in numbers() {
+                // On the line, but for rounding; it is a few units in the last place away.
+                let p = Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+                for units in 0..8 {
+                    let radius = f64::from(units) * 0.25 * f64::EPSILON;
+                    for [a, b] in [[a, b], [b, a]] {
+                        let expected = exact::line_is_near([a, b], radius, p);
+                        assert_eq!(
+                            line_is_near([a, b], radius, p),
+                            expected,
+                            "{a:?} {b:?} {p:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn touching_counts_as_near_and_not_as_sharper() {
         let [o, x, far] = [(0.0, 0.0), (8.0, 0.0), (3.0, 5.0)].map(Point::from);
         assert!(line_is_near([o, x], 5.0, far));

@@ -73,6 +73,19 @@ mod tests {
     }
 
     #[test]
+    fn steep_bounds_are_met_at_any_size() {
+        for exponent in [-1060, -500, 0, 500] {
+            let scale = 2_f64.powi(exponent);
+            let corners = triangle([(0.0, 0.0), (4.0 * scale, 0.0), (2.0 * scale, 3.0 * scale)]);
+            assert!(angles_are_at_least(corners, 1.5), "{exponent}");
+            assert!(
+                !angles_are_at_least(corners, 1.5_f64.next_up()),
+                "{exponent}"
+            );
+        }
+    }
+
+    #[test]
     fn the_smallest_angle_decides_wherever_it_is() {
         let [a, b, c] = triangle([(0.0, 0.0), (4.0, 0.0), (0.0, 1.0)]);
         for corners in [[a, b, c], [b, c, a], [c, a, b]] {

@@ -38,6 +38,10 @@ fn ids_stay_and_come_back() {
             live.add_constraint(a, v),
             Err(EditError::NoVertex { vertex: v })
         );
+        assert_eq!(
+            live.add_constraint(v, a),
+            Err(EditError::NoVertex { vertex: v })
+        );
         assert!(live.constraints_ending_at(v).is_empty());
     }
 }
