@@ -125,6 +125,35 @@ fn measures_are_read_beside_heights() {
     };
     assert_eq!((&z.name[..], &z.values[..]), ("z", &[1.0, 2.0][..]));
     assert_eq!((&m.name[..], &m.values[..]), ("m", &[10.0, 20.0][..]));
+    // Only what is less than this is no measure.
+    let mut shp = bytes("measured.shp");
+    replace(&mut shp, 10.0, -1e38);
+    replace(&mut shp, 20.0, -1.1e38);
+    let domain = together(&[("a.shp", shp)]).expect("a line");
+    let m = &domain.vertices.attributes[1].values;
+    assert!(m[0] == -1e38 && m[1].is_nan(), "{m:?}");
+}
+
+/// Replaces a number wherever it stands.
+fn replace(bytes: &mut [u8], from: f64, to: f64) {
+    let from = from.to_le_bytes();
+    let mut found = 0;
+    for at in 0..bytes.len() - 7 {
+        if bytes[at..].starts_with(&from) {
+            bytes[at..at + 8].copy_from_slice(&to.to_le_bytes());
+            found += 1;
+        }
+    }
+    assert!(found > 0, "the number is not there");
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn a_place_that_lacks_one_coordinate_is_refused() {
+    let mut table = bytes("places-native.parquet");
+    replace(&mut table, 8.0, f64::NAN);
+    let message = message(together(&[("a.parquet", table)]));
+    assert!(message.contains("point 2: y is NaN or null"), "{message}");
 }
 
 #[test]

@@ -87,6 +87,28 @@ fn arcs_of_pictures_are_circles() {
 }
 
 #[test]
+fn ellipses_of_arcs_may_be_turned() {
+    // Both ends of the longer axis, which is turned by 30 degrees.
+    let [x, y] = [12f64.sqrt(), 2.0];
+    let text = picture(&format!("<path d=\"M{} {}A4 2 30 0 1 {x} {y}z\"/>", -x, -y));
+    let options = ReadOptions {
+        flatness: Some(1e-5),
+        ..ReadOptions::default()
+    };
+    let half = read("a.svg", text.as_bytes(), &options).unwrap();
+    assert!((area(half) - 4.0 * std::f64::consts::PI).abs() < 1e-3);
+}
+
+#[test]
+fn shapes_without_area_or_with_negated_zeros_leave_nothing_odd() {
+    let flat = "<rect width=\"3\"/><rect height=\"2\"/><rect width=\"1\" height=\"0\"/>";
+    assert_eq!(places(&domain("a.svg", &picture(flat))).len(), 0);
+    let line = domain("a.svg", &picture("<line x1=\"-0\" x2=\"4\"/>"));
+    let is_negative = |p: &delone::Point| p.x.is_sign_negative() || p.y.is_sign_negative();
+    assert!(!line.vertices.points.iter().any(is_negative));
+}
+
+#[test]
 fn uses_and_views_are_followed() {
     let text = picture(
         "<defs><symbol id=\"s\" viewBox=\"0 0 10 10\"><path d=\"M0 0H10\"/></symbol><line id=\"l\" x2=\"2\" y2=\"1\"/></defs>\
