@@ -167,6 +167,12 @@ fn six_nodes_come_back() {
     let mesh = rich();
     let names = ["m.msh", "m.msh2", "m.vtk"];
     let folder = written(&MeshView::from(&mesh).quadratic(), &names, false);
+    // Lines have their midpoints, too: elements of type 8.
+    let text = std::fs::read_to_string(folder.path().join("m.msh2")).expect("text");
+    let (_, elements) = text.split_once("$Elements").expect("a section");
+    let is_line = |row: &&str| row.split(' ').nth(1) == Some("8");
+    let edges = &mesh.constraints.as_ref().expect("lines").edges;
+    assert_eq!(elements.lines().filter(is_line).count(), edges.len());
     for name in names {
         let back = plain(plate::read(&folder.path().join(name)).expect("readable"));
         assert!(back.quadratic);
@@ -576,6 +582,50 @@ fn tensors_of_vtk_have_all_their_components() {
 }
 
 #[test]
+fn what_cells_say_about_lines_is_noted_if_it_is_something() {
+    let both = VTK.replace(
+        "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n",
+        "CELLS 2 7\n2 0 1\n3 0 1 2\nCELL_TYPES 2\n3\n5\nCELL_DATA 2\nSCALARS heat double\n",
+    );
+    for (value, is_noted) in [("0", false), ("-1", false), ("nan", false), ("0.5", true)] {
+        let mesh = mesh_of("a.vtk", &format!("{both}{value}\n7\n")).expect("a mesh");
+        let note = "what \"heat\" says about lines is not kept";
+        assert_eq!(
+            mesh.vertices.notes.iter().any(|n| n == note),
+            is_noted,
+            "{value}"
+        );
+        assert_eq!(mesh.triangle_attributes[0].values, [7.0]);
+        assert_eq!(mesh.constraints.expect("a line").markers, None);
+    }
+}
+
+#[test]
+fn strings_among_bytes_of_vtk_are_passed_over() {
+    let mut file =
+        b"# vtk DataFile Version 3.0\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n"
+            .to_vec();
+    let points = [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    file.extend(points.iter().flat_map(|v| v.to_be_bytes()));
+    file.extend(b"\nPOINT_DATA 3\nFIELD FieldData 2\nnames 1 3 string\n");
+    // The first two bits tell how many bytes the length takes.
+    file.extend(b"\xc2ab");
+    file.extend([&[0x80, 70][..], &[b'x'; 70]].concat());
+    file.extend(b"\x40\0\0\x01c");
+    file.extend(b"\nid 1 3 int\n");
+    file.extend([7i32, -8, 70_000].iter().flat_map(|v| v.to_be_bytes()));
+    let (name, bytes) = ("a.vtk".to_owned(), file);
+    let mesh = read_mesh(
+        &Source::Memory { name, bytes },
+        &ReadOptions::default(),
+        &(),
+    );
+    let vertices = mesh.expect("points").vertices;
+    assert_eq!(vertices.attributes[0].values, [7.0, -8.0, 70_000.0]);
+    assert_eq!(vertices.notes, ["strings are not kept: \"names\""]);
+}
+
+#[test]
 fn triangles_of_several_groups_are_kept_once() {
     let twice = MSH.replace(
         "$Elements\n1\n7 2 2 3 1 10 20 40\n",
@@ -631,6 +681,22 @@ fn tags_may_have_gaps_and_heights_are_kept() {
     assert_eq!(mesh.vertices.attributes[0].values, [0.0, 0.0, 5.0]);
     assert_eq!(mesh.triangle_attributes[0].values, [3.0]);
     assert_eq!(mesh.vertices.base, 0);
+    let data = "$NodeData\n1\n\"id\"\n1\n0.5\n3\n0\n1\n3\n10 7\n20 8\n40 9\n$EndNodeData\n";
+    let with_data = mesh_of("a.msh", &format!("{MSH}{data}"))
+        .expect("a mesh")
+        .vertices;
+    assert_eq!(with_data.attributes[1].name, "id");
+    assert_eq!(with_data.attributes[1].values, [7.0, 8.0, 9.0]);
+    assert_eq!(with_data.markers, None, "whole numbers of another name");
+    for (tags, base) in [([1, 2, 3], 1), ([2, 3, 4], 0), ([1, 2, 4], 0)] {
+        let [a, b, c] = tags;
+        let text = MSH.replace("10 20 40", &format!("{a} {b} {c}"));
+        let text = text.replace("10 0 0 0", &format!("{a} 0 0 0"));
+        let text = text.replace("20 1 0 0", &format!("{b} 1 0 0"));
+        let text = text.replace("40 0 1 5", &format!("{c} 0 1 5"));
+        let mesh = mesh_of("a.msh", &text).expect("a mesh");
+        assert_eq!(mesh.vertices.base, base, "{tags:?}");
+    }
 }
 
 #[test]

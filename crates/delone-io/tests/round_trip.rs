@@ -259,6 +259,10 @@ fn columns_are_chosen_by_name_place_or_number() {
     assert_eq!(set.attributes[0].name, "height");
     assert!(set.attributes[0].values[0].is_nan());
     assert_eq!(set.attributes[0].values[1], 6.0);
+    // Doubled quotes stand for one; delimiters and blanks between quotes for themselves.
+    let quoted = read("x,y,\"the \"\"z\"\", in m\"\n1,2,\"3\"\n", None).expect("points");
+    assert_eq!(quoted.attributes[0].name, "the \"z\", in m");
+    assert_eq!(quoted.attributes[0].values, [3.0]);
 }
 
 #[test]
@@ -433,13 +437,19 @@ fn readers_ask_the_watch_again_and_again() {
 }
 
 #[test]
-fn copies_in_drawings_ask_the_watch_too() {
+fn copies_and_empty_features_ask_the_watch_too() {
     let lines = "<line x2=\"1\"/>".repeat(200);
     let uses = "<use href=\"#l\"/>".repeat(200);
     let svg = format!("<svg><g id=\"l\">{lines}</g>{uses}</svg>");
     let dxf = "0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 POINT 8 0 10 0 20 0 0 ENDBLK 0 ENDSEC \
                0 SECTION 2 ENTITIES 0 INSERT 2 B 10 0 20 0 70 200 71 200 0 ENDSEC 0 EOF";
-    for (name, text) in [("a.svg", svg), ("a.dxf", dxf.replace(' ', "\n"))] {
+    let features = vec!["{\"type\":\"Feature\"}"; 20_000].join(",");
+    let geojson = format!("{{\"type\":\"FeatureCollection\",\"features\":[{features}]}}");
+    for (name, text) in [
+        ("a.svg", svg),
+        ("a.dxf", dxf.replace(' ', "\n")),
+        ("a.geojson", geojson),
+    ] {
         let (name, bytes) = (name.to_owned(), text.into_bytes());
         let source = Source::Memory { name, bytes };
         cancel_everywhere(|watch| read_points(&source, &ReadOptions::default(), watch).map(drop));

@@ -161,6 +161,14 @@ fn faces_are_areas() {
 }
 
 #[test]
+fn polylines_of_one_vertex_are_points() {
+    let text = drawing("0 LWPOLYLINE 8 0 10 3 20 4 0 LWPOLYLINE 8 0 70 1 10 5 20 6");
+    let domain = domain("a.dxf", &text);
+    assert_eq!(places(&domain), [[3.0, 4.0], [5.0, 6.0]]);
+    assert!(domain.segments.is_empty());
+}
+
+#[test]
 fn old_polylines_have_vertices_of_their_own() {
     let text = drawing(
         "0 POLYLINE 8 0 66 1 70 1 10 0 20 0 30 5 0 VERTEX 8 0 10 0 20 0 42 1 0 VERTEX 8 0 10 2 20 0 42 1 0 SEQEND \
