@@ -23,8 +23,9 @@ for group in groups:
     names.append(name)
 clean = {f: open(f).read() for f in [*files, f"{root}/lib.rs"] if f != "--"}
 skipped = set()
-# No mutant may leave cases for the next one.
-os.environ["PROPTEST_DISABLE_FAILURE_PERSISTENCE"] = "1"
+assert "pub fn mutant(" not in clean[f"{root}/lib.rs"], "TREE is spoilt already: copy it again"
+# The same cases for every mutant, and none that a mutant before it left.
+os.environ |= {"PROPTEST_RNG_SEED": "1", "PROPTEST_DISABLE_FAILURE_PERSISTENCE": "1"}
 
 while True:
     for f, text in clean.items():
@@ -39,10 +40,10 @@ while True:
     before = len(skipped)
     for m in messages:
         if m["reason"] == "compiler-message" and m["message"]["level"] == "error":
-            for span in (s for s in m["message"]["spans"] if s["file_name"] in clean):
-                lines = open(span["file_name"]).read().splitlines()
-                text = "\n".join(lines[max(0, span["line_start"] - 3) : span["line_end"] + 2])
-                skipped |= {int(n) for n in re.findall(r"mutant\((\d+)\)", text)}
+            for span in (s for s in m["message"]["spans"] if s["is_primary"] and s["file_name"] in clean):
+                # Spans count bytes of the whole file; the mutant to blame begins before them.
+                text = open(span["file_name"], "rb").read()[: span["byte_end"]]
+                skipped |= {int(n) for n in re.findall(rb"mutant\((\d+)\)", text)[-1:]}
     print(f"{len(skipped)} do not compile", flush=True)
     if len(skipped) == before:
         sys.exit(build.stderr[-3000:] + "".join(m["message"]["rendered"] for m in messages if m["reason"] == "compiler-message")[:6000])
@@ -60,16 +61,17 @@ def limited():
     resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
 
 
-def outcome(number):
-    for program, arguments in programs:
+def killer(number, programs):
+    """Returns the first of the programs in which a test fails."""
+    for program in programs:
         environment = {**os.environ, "DELONE_MUTANT": number}
-        child = subprocess.Popen([program, *arguments], env=environment, cwd=f"crates/{package}", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=limited)
+        child = subprocess.Popen([program[0], *program[1]], env=environment, cwd=f"crates/{package}", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=limited)
         # The first test that fails is enough.
         if any(line.endswith("FAILED\n") for line in child.stdout):
             child.kill()
         if child.wait():
-            return "killed"
-    return "survived"
+            return program
+    return None
 
 
 def used():
@@ -77,7 +79,7 @@ def used():
 
 
 start, before = time.time(), used()
-assert outcome("0") == "survived", "the tests fail without a mutant"
+assert not killer("0", programs), "the tests fail without a mutant"
 # Of processor time, so that a busy machine kills none.
 longest = 20 + int(5 * (used() - before))
 print(f"{len(mutants) - len(skipped)} mutants, {time.time() - start:.1f} s for the tests", flush=True)
@@ -85,12 +87,16 @@ limit = float(os.environ.get("DELONE_SECONDS", "1e9"))
 table = collections.defaultdict(collections.Counter)
 # In turns, so that a limit of time leaves a sample of each group.
 order = sorted((m for m in mutants if int(m[0]) not in skipped), key=lambda m: (int(m[0]) - min(int(n[0]) for n in mutants if n[1] == m[1])))
+# What has killed one mutant of a group is tried first on the next.
+tried = collections.defaultdict(lambda: list(programs))
 for number, group, place, kind in order:
     if time.time() - start > limit:
         break
-    what = outcome(number)
-    table[names[int(group)]][what] += 1
-    if what == "survived":
+    found = killer(number, tried[group])
+    table[names[int(group)]]["killed" if found else "survived"] += 1
+    if found:
+        tried[group].sort(key=lambda program: program != found)
+    else:
         print(f"survived: {number} {place} {kind}", flush=True)
 for name, counts in table.items():
     print(f"| {name} | {counts.total()} | {counts['killed']} | {100 * counts['killed'] / counts.total():.0f} % |", flush=True)

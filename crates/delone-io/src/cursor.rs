@@ -231,3 +231,24 @@ pub(crate) fn signed(bits: u64, width: usize) -> i64 {
     let unused = 64 - 8 * width as u32;
     ((bits << unused) as i64) >> unused
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{join, signed};
+
+    #[test]
+    fn numbers_of_every_width_have_their_sign() {
+        for (bytes, expected) in [
+            (&[0x7f][..], 127),
+            (&[0xff], -1),
+            (&[0x80, 0x01], -32_767),
+            (&[0x7f, 0xff, 0xff, 0xff], i32::MAX.into()),
+            (&[0xff, 0xff, 0xff, 0xfe], -2),
+            (&[0x80, 0, 0, 0, 0, 0, 0, 0], i64::MIN),
+        ] {
+            assert_eq!(signed(join(bytes, true), bytes.len()), expected);
+            let little: Vec<u8> = bytes.iter().rev().copied().collect();
+            assert_eq!(signed(join(&little, false), bytes.len()), expected);
+        }
+    }
+}

@@ -245,6 +245,15 @@ mod tests {
     }
 
     #[test]
+    fn ties_go_to_the_even_neighbour() {
+        let tie = 1i128 << 53;
+        assert_eq!(rounded(tie + 1, 0), tie as f64);
+        assert_eq!(rounded(-tie - 3, 0), -(tie + 4) as f64);
+        assert_eq!(rounded(45_035_996_273_704_965, -1), 4_503_599_627_370_496.0);
+        assert_eq!(rounded(45_035_996_273_704_975, -1), 4_503_599_627_370_498.0);
+    }
+
+    #[test]
     fn absurd_headers_are_refused() {
         for (scale, offset) in [
             (0.0, 1.0),

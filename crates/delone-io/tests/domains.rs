@@ -32,10 +32,11 @@ const SQUARE: &str = "\
 4 1 3 2
 1
 1 1 2
-3
+4
 1 3 1 .25 .125
 2 3 2 7
 3 3 3 8 -1
+4 3 .5 9 0
 ";
 
 #[test]
@@ -58,6 +59,7 @@ fn a_poly_file_is_read_whole() {
         region(1.0, 0.25, Some(0.125)),
         region(2.0, 7.0, Some(7.0)),
         region(3.0, 8.0, None),
+        region(0.5, 9.0, None),
     ];
     assert_eq!(domain.regions, regions);
     assert!(domain.polygons.is_empty());

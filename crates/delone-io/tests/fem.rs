@@ -167,6 +167,12 @@ fn six_nodes_come_back() {
     let mesh = rich();
     let names = ["m.msh", "m.msh2", "m.vtk"];
     let folder = written(&MeshView::from(&mesh).quadratic(), &names, false);
+    // Lines have their midpoints, too: elements of type 8.
+    let text = std::fs::read_to_string(folder.path().join("m.msh2")).expect("text");
+    let (_, elements) = text.split_once("$Elements").expect("a section");
+    let is_line = |row: &&str| row.split(' ').nth(1) == Some("8");
+    let edges = &mesh.constraints.as_ref().expect("lines").edges;
+    assert_eq!(elements.lines().filter(is_line).count(), edges.len());
     for name in names {
         let back = plain(plate::read(&folder.path().join(name)).expect("readable"));
         assert!(back.quadratic);
@@ -324,6 +330,16 @@ fn jigsaw_brings_domains_or_meshes() {
     let mesh = mesh_of("a.msh", &mesh).expect("a mesh");
     assert_eq!(mesh.triangles.len(), 2);
     assert_eq!(mesh.triangle_attributes[0].values, [5.0, 6.0]);
+}
+
+#[test]
+fn what_jigsaw_says_besides_is_noted() {
+    let mesh = mesh_of(
+        "a.msh",
+        &format!("{JIGSAW}POWER=4;1\n0\n1\n2\n3\nHEXA8=0\n"),
+    );
+    let notes = mesh.expect("a mesh").vertices.notes;
+    assert_eq!(notes, ["weights of points (POWER) are not kept"]);
 }
 
 #[test]
@@ -558,10 +574,130 @@ const BROKEN: &[(&str, &str, &str, &str, &str)] = &[
         "a.vtk:5: type \"quad\" is not understood",
     ),
     ("a.vtk", VTK, "1 0 0", "1 inf 0", "point 1: y is inf"),
+    (
+        "a.mesh",
+        SIX_NODES,
+        "Edges 1 1 2",
+        "Edges 1 1 4",
+        "a.mesh: node 4 is the end of an edge and a midpoint",
+    ),
 ];
+
+const SIX_NODES: &str = "MeshVersionFormatted 2 Dimension 2 Vertices 6 0 0 0 2 0 0 0 2 0 1 0 0 1 1 0 0 1 0\n\
+Edges 1 1 2 0 TrianglesP2 1 1 2 3 4 5 6 0 End\n";
 
 const VTK: &str = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n\
 0 0 0\n1 0 0\n0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+
+#[test]
+fn tensors_of_vtk_have_all_their_components() {
+    let rows = |row: &str| [row; 3].join("\n");
+    let tensors = rows("1 2 3 4 5 6 7 8 9");
+    let symmetric = rows("1 2 3 4 5 6");
+    let data = format!(
+        "POINT_DATA 3\nTENSORS t double\n{tensors}\nTENSORS6 s double\n{symmetric}\nNORMALS n double\n{}\n\
+         FIELD f 1\nid%20of 1 3 int\n7 8 9\n",
+        rows("0 0 1")
+    );
+    let mesh = mesh_of("a.vtk", &format!("{VTK}{data}")).expect("a mesh");
+    let names: Vec<_> = mesh
+        .vertices
+        .attributes
+        .iter()
+        .map(|a| &a.name[..])
+        .collect();
+    assert_eq!(names.len(), 9 + 6 + 3 + 1);
+    assert_eq!((names[8], names[9], names[18]), ("t_8", "s_0", "id of"));
+    assert_eq!(mesh.vertices.attributes[8].values, [9.0; 3]);
+    assert_eq!(mesh.vertices.attributes[18].values, [7.0, 8.0, 9.0]);
+    let whole = VTK.replace(
+        "DATASET",
+        "FIELD FieldData 1\ntime 1 1 double\n0.5\nDATASET",
+    );
+    let notes = mesh_of("a.vtk", &whole).expect("a mesh").vertices.notes;
+    assert_eq!(notes, ["data of the whole file are not kept: \"time\""]);
+}
+
+#[test]
+fn what_cells_say_about_lines_is_noted_if_it_is_something() {
+    let both = VTK.replace(
+        "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n",
+        "CELLS 2 7\n2 0 1\n3 0 1 2\nCELL_TYPES 2\n3\n5\nCELL_DATA 2\nSCALARS heat double\n",
+    );
+    for (value, is_noted) in [("0", false), ("-1", false), ("nan", false), ("0.5", true)] {
+        let mesh = mesh_of("a.vtk", &format!("{both}{value}\n7\n")).expect("a mesh");
+        let note = "what \"heat\" says about lines is not kept";
+        assert_eq!(
+            mesh.vertices.notes.iter().any(|n| n == note),
+            is_noted,
+            "{value}"
+        );
+        assert_eq!(mesh.triangle_attributes[0].values, [7.0]);
+        assert_eq!(mesh.constraints.expect("a line").markers, None);
+    }
+}
+
+#[test]
+fn strings_among_bytes_of_vtk_are_passed_over() {
+    let mut file =
+        b"# vtk DataFile Version 3.0\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n"
+            .to_vec();
+    let points = [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    file.extend(points.iter().flat_map(|v| v.to_be_bytes()));
+    file.extend(b"\nPOINT_DATA 3\nFIELD FieldData 2\nnames 1 3 string\n");
+    // The first two bits tell how many bytes the length takes.
+    file.extend(b"\xc2ab");
+    file.extend([&[0x80, 70][..], &[b'x'; 70]].concat());
+    file.extend(b"\x40\0\0\x01c");
+    file.extend(b"\nid 1 3 int\n");
+    file.extend([7i32, -8, 70_000].iter().flat_map(|v| v.to_be_bytes()));
+    let (name, bytes) = ("a.vtk".to_owned(), file);
+    let mesh = read_mesh(
+        &Source::Memory { name, bytes },
+        &ReadOptions::default(),
+        &(),
+    );
+    let vertices = mesh.expect("points").vertices;
+    assert_eq!(vertices.attributes[0].values, [7.0, -8.0, 70_000.0]);
+    assert_eq!(vertices.notes, ["strings are not kept: \"names\""]);
+}
+
+#[test]
+fn triangles_of_several_groups_are_kept_once() {
+    let twice = MSH.replace(
+        "$Elements\n1\n7 2 2 3 1 10 20 40\n",
+        "$Elements\n3\n7 2 2 3 1 10 20 40\n8 2 2 3 1 40 20 10\n9 2 2 5 1 20 10 40\n",
+    );
+    let more = twice
+        .replace("40 0 1 5\n", "40 0 1 5\n41 2 2 0\n")
+        .replace("$Nodes\n3", "$Nodes\n4");
+    let more = more.replace("8 2 2 3 1 40 20 10", "8 2 2 3 1 10 40 41");
+    let mesh = mesh_of("a.msh", &more).expect("a mesh");
+    assert_eq!(mesh.triangles.len(), 2);
+    assert_eq!(mesh.triangle_attributes[0].values, [3.0, 3.0]);
+    assert_eq!(
+        mesh.vertices.notes,
+        ["triangles that are there twice are kept once: 1"]
+    );
+    let mesh = mesh_of("a.msh", &twice).expect("a mesh");
+    assert_eq!(
+        mesh.vertices.notes,
+        ["triangles that are there twice are kept once: 2"]
+    );
+}
+
+#[test]
+fn broken_bytes_are_told_by_their_place() {
+    let mut bytes = std::fs::read(fixture("gmsh-22b-1p.msh")).expect("file");
+    let cut = bytes.len() / 2;
+    bytes.truncate(cut);
+    let source = Source::Memory {
+        name: "a.msh".to_owned(),
+        bytes,
+    };
+    let error = read_mesh(&source, &ReadOptions::default(), &()).expect_err("half a file");
+    assert!(error.to_string().starts_with("a.msh at byte "), "{error}");
+}
 
 #[test]
 fn broken_files_say_what_is_wrong() {
@@ -582,6 +718,22 @@ fn tags_may_have_gaps_and_heights_are_kept() {
     assert_eq!(mesh.vertices.attributes[0].values, [0.0, 0.0, 5.0]);
     assert_eq!(mesh.triangle_attributes[0].values, [3.0]);
     assert_eq!(mesh.vertices.base, 0);
+    let data = "$NodeData\n1\n\"id\"\n1\n0.5\n3\n0\n1\n3\n10 7\n20 8\n40 9\n$EndNodeData\n";
+    let with_data = mesh_of("a.msh", &format!("{MSH}{data}"))
+        .expect("a mesh")
+        .vertices;
+    assert_eq!(with_data.attributes[1].name, "id");
+    assert_eq!(with_data.attributes[1].values, [7.0, 8.0, 9.0]);
+    assert_eq!(with_data.markers, None, "whole numbers of another name");
+    for (tags, base) in [([1, 2, 3], 1), ([2, 3, 4], 0), ([1, 2, 4], 0)] {
+        let [a, b, c] = tags;
+        let text = MSH.replace("10 20 40", &format!("{a} {b} {c}"));
+        let text = text.replace("10 0 0 0", &format!("{a} 0 0 0"));
+        let text = text.replace("20 1 0 0", &format!("{b} 1 0 0"));
+        let text = text.replace("40 0 1 5", &format!("{c} 0 1 5"));
+        let mesh = mesh_of("a.msh", &text).expect("a mesh");
+        assert_eq!(mesh.vertices.base, base, "{tags:?}");
+    }
 }
 
 #[test]
@@ -610,6 +762,45 @@ fn bombs_are_not_unpacked() {
         .to_string();
     assert!(
         error.contains("too many for a file of this size; write without compression"),
+        "{error}"
+    );
+}
+
+#[test]
+fn arrays_that_share_their_bytes_are_few() {
+    let array = |name| {
+        format!("<DataArray type=\"UInt8\" Name=\"{name}\" format=\"appended\" offset=\"0\"/>")
+    };
+    let read = |arrays: usize| {
+        let arrays: String = (0..arrays).map(array).collect();
+        let head = format!(
+            "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt64\"><Piece NumberOfPoints=\"9999\"><PointData>\
+             {arrays}</PointData></Piece><AppendedData encoding=\"raw\">_"
+        );
+        let count = 9999u64.to_le_bytes();
+        let bytes = [
+            head.as_bytes(),
+            &count,
+            &[7; 9999],
+            b"</AppendedData></VTKFile>",
+        ];
+        let (name, bytes) = ("a.vtu".to_owned(), bytes.concat());
+        read_mesh(
+            &Source::Memory { name, bytes },
+            &ReadOptions::default(),
+            &(),
+        )
+        .expect_err("no points")
+        .to_string()
+    };
+    assert!(
+        read(2).contains("the piece declares 9999 points"),
+        "{}",
+        read(2)
+    );
+    let error = read(3);
+    assert!(
+        error.contains("array \"2\": shares its bytes with too many others"),
         "{error}"
     );
 }

@@ -125,6 +125,73 @@ fn measures_are_read_beside_heights() {
     };
     assert_eq!((&z.name[..], &z.values[..]), ("z", &[1.0, 2.0][..]));
     assert_eq!((&m.name[..], &m.values[..]), ("m", &[10.0, 20.0][..]));
+    // Measures may be missing behind heights.
+    let mut short = bytes("measured.shp");
+    short.truncate(220);
+    short[24..28].copy_from_slice(&110u32.to_be_bytes());
+    short[104..108].copy_from_slice(&56u32.to_be_bytes());
+    let short = together(&[("a.shp", short)]).expect("a line");
+    assert_eq!(attributes(&short), [("z", "[1.0, 2.0]".to_owned())]);
+    // Only what is less than this is no measure.
+    let mut shp = bytes("measured.shp");
+    replace(&mut shp, 10.0, -1e38);
+    replace(&mut shp, 20.0, -1.1e38);
+    let domain = together(&[("a.shp", shp)]).expect("a line");
+    let m = &domain.vertices.attributes[1].values;
+    assert!(m[0] == -1e38 && m[1].is_nan(), "{m:?}");
+}
+
+/// A table of so many columns of one digit, and so many rows.
+fn table(columns: usize, rows: usize) -> Vec<u8> {
+    let mut dbf = vec![0; 32];
+    dbf[4..8].copy_from_slice(&(rows as u32).to_le_bytes());
+    dbf[8..10].copy_from_slice(&(33 + 32 * columns as u16).to_le_bytes());
+    dbf[10..12].copy_from_slice(&(1 + columns as u16).to_le_bytes());
+    for column in 0..columns {
+        let mut field = [0; 32];
+        field[..4].copy_from_slice(format!("c{column:03}").as_bytes());
+        (field[11], field[16]) = (b'N', 1);
+        dbf.extend(field);
+    }
+    dbf.push(b'\r');
+    dbf.extend(format!(" {}", "7".repeat(columns)).repeat(rows).bytes());
+    dbf
+}
+
+#[test]
+fn lines_of_many_points_have_few_columns() {
+    // Two points a line are no more than the table has itself.
+    for (name, rows, left_out_of) in [("measured.shp", 1, &[][..]), ("contours.shp", 2, &["c064"])]
+    {
+        let files = [("a.shp", bytes(name)), ("a.dbf", table(65, rows))];
+        let domain = together(&files).expect("lines");
+        assert_eq!(left_out(&domain), left_out_of, "{name}");
+        let kept = domain.vertices.attributes.iter();
+        let kept = kept.filter(|a| a.name.starts_with('c') && a.values[0] == 7.0);
+        assert_eq!(kept.count(), 65 - left_out_of.len(), "{name}");
+    }
+}
+
+/// Replaces a number wherever it stands.
+fn replace(bytes: &mut [u8], from: f64, to: f64) {
+    let from = from.to_le_bytes();
+    let mut found = 0;
+    for at in 0..bytes.len() - 7 {
+        if bytes[at..].starts_with(&from) {
+            bytes[at..at + 8].copy_from_slice(&to.to_le_bytes());
+            found += 1;
+        }
+    }
+    assert!(found > 0, "the number is not there");
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn a_place_that_lacks_one_coordinate_is_refused() {
+    let mut table = bytes("places-native.parquet");
+    replace(&mut table, 8.0, f64::NAN);
+    let message = message(together(&[("a.parquet", table)]));
+    assert!(message.contains("point 2: y is NaN or null"), "{message}");
 }
 
 #[test]

@@ -318,6 +318,17 @@ const TABLE: &[(&str, &str, &str)] = &[
     ),
     (
         "a.geojson",
+        "{\"type\": \"FeatureCollection\", \"features\": [\n\
+         {\"geometry\": {\"geometries\": [], \"type\": \"GeometryCollection\"}, \"type\": \"Feat\"}]}",
+        "a.geojson:2:78: feature 0: type \"Feat\" is none of GeoJSON's",
+    ),
+    (
+        "a.geojson",
+        "{\"type\": \"FeatureCollection\", \"features\": []} x",
+        "a.geojson:1:47: trailing characters",
+    ),
+    (
+        "a.geojson",
         "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1, 0], [0, 0]]]}",
         "ring 0 has 3 positions; at least 4 are needed",
     ),
@@ -602,6 +613,11 @@ fn damaged_vtu_says_what_is_wrong() {
         let damaged = VTU.replacen(from, to, 1);
         assert_error(points_of("a.vtu", damaged.as_bytes()), expected);
     }
+    let markers =
+        "<PointData><DataArray type=\"Int32\" Name=\"marker\">1 2 3</DataArray></PointData>";
+    let few = VTU.replace("</Points>", &format!("</Points>{markers}"));
+    let expected = "array \"marker\" has 3 values, expected 4";
+    assert_error(points_of("a.vtu", few.as_bytes()), expected);
     let end = VTU.find("</VTKFile>").expect("closed") + "</VTKFile>".len();
     for length in 0..end {
         let outcome = points_of("a.vtu", &VTU.as_bytes()[..length]);

@@ -259,6 +259,10 @@ fn columns_are_chosen_by_name_place_or_number() {
     assert_eq!(set.attributes[0].name, "height");
     assert!(set.attributes[0].values[0].is_nan());
     assert_eq!(set.attributes[0].values[1], 6.0);
+    // Doubled quotes stand for one; delimiters and blanks between quotes for themselves.
+    let quoted = read("x,y,\"the \"\"z\"\", in m\"\n1,2,\"3\"\n", None).expect("points");
+    assert_eq!(quoted.attributes[0].name, "the \"z\", in m");
+    assert_eq!(quoted.attributes[0].values, [3.0]);
 }
 
 #[test]
@@ -280,6 +284,7 @@ fn tables_are_taken_as_they_come() {
         "\u{feff}x\ty\tz\r\n1\t2\t\r\n3\t4\t5\r\n",
         "\tx\ty\n\t1\t2\nb\t3\t4\n",
         "street,x,y\nAve #1,1,2\nAve #2,3,4\n",
+        "street\tx\ty\nElm street #1\t1\t2\nElm street #2\t3\t4\n",
     ] {
         assert_eq!(read(text).points, expected, "{text:?}");
     }
@@ -388,6 +393,89 @@ fn cancelled_writing_leaves_nothing() {
         );
         assert!(matches!(outcome, Err(Error::Cancelled)), "{outcome:?}");
         assert_eq!(std::fs::read_dir(folder.path()).expect("folder").count(), 0);
+    }
+}
+
+/// A square grid of so many points on a side.
+fn grid(side: usize) -> MeshData {
+    let points = (0..side * side).map(|i| Point::new((i % side) as f64, (i / side) as f64));
+    let is_corner = |&i: &usize| i % side + 1 < side && i / side + 1 < side;
+    let halves = |i| [[i, i + 1, i + side], [i + side, i + 1, i + side + 1]];
+    MeshData {
+        vertices: PointSet {
+            points: points.collect(),
+            ..PointSet::default()
+        },
+        triangles: (0..side * side)
+            .filter(is_corner)
+            .flat_map(halves)
+            .map(|t| t.map(VertexId::new))
+            .collect(),
+        ..MeshData::default()
+    }
+}
+
+#[test]
+fn readers_ask_the_watch_again_and_again() {
+    let mesh = grid(200);
+    let folder = tempfile::tempdir().expect("folder");
+    let mut read = 0;
+    for format in Format::ALL.into_iter().filter(|f| !f.is_picture()) {
+        let path = folder.path().join("grid").with_extension(format.name());
+        let source = Source::from_arg(&path);
+        let (targets, options) = ([target(&path)], WriteOptions::default());
+        if format.writes_mesh() && format.reads_mesh() {
+            write_mesh(&targets, &MeshView::from(&mesh), &options, &()).expect("written");
+            cancel_everywhere(|watch| {
+                read_mesh(&source, &ReadOptions::default(), watch).map(|read| {
+                    assert_eq!(read.triangles.len(), mesh.triangles.len(), "{format}");
+                })
+            });
+            read += 1;
+        }
+        if format.writes_points() && format.reads_points() {
+            write_points(&targets, &mesh.vertices, &options, &()).expect("written");
+            cancel_everywhere(|watch| {
+                read_points(&source, &ReadOptions::default(), watch).map(|read| {
+                    assert_eq!(read.points.len(), mesh.vertices.points.len(), "{format}");
+                })
+            });
+            read += 1;
+        }
+    }
+    assert!(read >= 20, "{read}");
+}
+
+#[test]
+fn copies_and_empty_features_ask_the_watch_too() {
+    let lines = "<line x2=\"1\"/>".repeat(200);
+    let uses = "<use href=\"#l\"/>".repeat(200);
+    let svg = format!("<svg><g id=\"l\">{lines}</g>{uses}</svg>");
+    let dxf = "0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 POINT 8 0 10 0 20 0 0 ENDBLK 0 ENDSEC \
+               0 SECTION 2 ENTITIES 0 INSERT 2 B 10 0 20 0 70 200 71 200 0 ENDSEC 0 EOF";
+    let features = vec!["{\"type\":\"Feature\"}"; 20_000].join(",");
+    let geojson = format!("{{\"type\":\"FeatureCollection\",\"features\":[{features}]}}");
+    for (name, text) in [
+        ("a.svg", svg),
+        ("a.dxf", dxf.replace(' ', "\n")),
+        ("a.geojson", geojson),
+    ] {
+        let (name, bytes) = (name.to_owned(), text.into_bytes());
+        let source = Source::Memory { name, bytes };
+        cancel_everywhere(|watch| read_points(&source, &ReadOptions::default(), watch).map(drop));
+    }
+}
+
+/// Cancels at some of the questions, of which there must be a few.
+#[track_caller]
+fn cancel_everywhere(read: impl Fn(&CancelAfter) -> Result<(), Error>) {
+    let patient = CancelAfter(u32::MAX.into());
+    read(&patient).expect("written by us");
+    let asked = u32::MAX - patient.0.into_inner();
+    assert!(asked >= 4, "asked but {asked} times");
+    for questions in [0, 1, asked / 2, asked - 1] {
+        let outcome = read(&CancelAfter(questions.into()));
+        assert!(matches!(outcome, Err(Error::Cancelled)), "{questions}");
     }
 }
 

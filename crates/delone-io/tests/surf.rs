@@ -131,6 +131,20 @@ fn an_off_has_columns_as_its_header_says() {
             .len(),
         3
     );
+    let textured = mesh("a.off", "STCOFF\n1 0 0\n0 0 7  1 2 3  .5 .25\n").vertices;
+    let names = textured
+        .attributes
+        .iter()
+        .map(|a| (&a.name[..], a.values[0]));
+    let expected = [
+        ("z", 7.0),
+        ("red", 1.0),
+        ("green", 2.0),
+        ("blue", 3.0),
+        ("s", 0.5),
+        ("t", 0.25),
+    ];
+    assert!(names.eq(expected), "{:?}", textured.attributes);
     assert_eq!(
         Format::sniff(b"# made by hand\nCOFF\n0 0 0\n"),
         Some(Format::Off)
@@ -155,6 +169,15 @@ fn a_ply_may_order_everything_otherwise() {
         (edges.edges, edges.markers),
         (ids(&[[2, 0]]), Some(vec![-7]))
     );
+}
+
+#[test]
+fn elements_without_rows_need_no_properties() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nelement face 0\n\
+                element edge 0\nelement tristrips 0\nend_header\n1 2\n";
+    let read = mesh("a.ply", text);
+    assert_eq!(read.vertices.points, [Point::new(1.0, 2.0)]);
+    assert_eq!((read.triangles.len(), read.constraints), (0, None));
 }
 
 /// The same in bytes of either order.

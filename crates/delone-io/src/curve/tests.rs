@@ -268,6 +268,14 @@ fn what_is_too_much_is_refused() {
 }
 
 #[test]
+fn what_has_no_extent_is_closed() {
+    let mut place = Outline::new([1.0, 2.0, 0.0]);
+    place.line([1.0, 2.0, 0.0]);
+    place.close_nearly(1e-9);
+    assert!(place.is_closed);
+}
+
+#[test]
 fn straight_lines_may_be_as_far_out_as_numbers_go() {
     let far = f64::MAX;
     let mut outline = Outline::new([-far, 0.0, 0.0]);

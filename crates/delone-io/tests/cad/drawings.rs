@@ -155,6 +155,17 @@ fn faces_are_areas() {
     assert_eq!(domain.polygons, [0..3, 3..6, 6..10]);
     assert_eq!(domain.vertices.attributes[0].values[..3], [1.0, 2.0, 3.0]);
     assert_eq!(area(domain), 5.0);
+    // Loops come before the borders of faces, and are a polygon of their own.
+    let mixed = crate::domain("a.dxf", &drawing(&format!("{faces} {SQUARE}")));
+    assert_eq!(mixed.polygons, [4..7, 7..10, 10..14, 0..4]);
+}
+
+#[test]
+fn polylines_of_one_vertex_are_points() {
+    let text = drawing("0 LWPOLYLINE 8 0 10 3 20 4 0 LWPOLYLINE 8 0 70 1 10 5 20 6");
+    let domain = domain("a.dxf", &text);
+    assert_eq!(places(&domain), [[3.0, 4.0], [5.0, 6.0]]);
+    assert!(domain.segments.is_empty());
 }
 
 #[test]

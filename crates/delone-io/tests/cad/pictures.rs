@@ -54,6 +54,23 @@ fn commands_of_paths_go_where_they_should() {
 }
 
 #[test]
+fn smooth_curves_go_on_as_the_last_one_did() {
+    for (smooth, explicit) in [
+        ("M0 0C0 2 4 2 4 0S8-2 8 0", "M0 0C0 2 4 2 4 0C4-2 8-2 8 0"),
+        ("M0 0Q1 2 2 0T4 0", "M0 0Q1 2 2 0Q3-2 4 0"),
+        ("M0 0C0 2 4 2 4 0T8 0", "M0 0C0 2 4 2 4 0L8 0"),
+    ] {
+        let [found, expected] = [smooth, explicit].map(|path| {
+            let text = picture(&format!("<path d=\"{path}\"/>"));
+            places(&domain("a.svg", &text))
+        });
+        assert_eq!(found[0], [0.0, 0.0]);
+        assert!(found.len() > 10, "{smooth}: {found:?}");
+        assert_eq!(found, expected, "{smooth}");
+    }
+}
+
+#[test]
 fn arcs_of_pictures_are_circles() {
     // The four arcs between two points of a circle of radius 5, of which two are large.
     for (flags, area_of) in [
@@ -84,6 +101,53 @@ fn arcs_of_pictures_are_circles() {
             "{flags}: {found} for {expected}"
         );
     }
+}
+
+#[test]
+fn ellipses_of_arcs_may_be_turned_and_grow() {
+    // Both ends of an axis, the longer of which is turned by 30 degrees, in either order.
+    let [long, short] = [[12f64.sqrt(), 2.0], [-1.0, 3f64.sqrt()]];
+    let options = ReadOptions {
+        flatness: Some(1e-5),
+        ..ReadOptions::default()
+    };
+    for [x, y] in [long, long.map(|v| -v), short, short.map(|v| -v)] {
+        for radii in ["4 2", "1 .5"] {
+            let text = format!("<path d=\"M{} {}A{radii} 30 0 1 {x} {y}z\"/>", -x, -y);
+            let half = read("a.svg", picture(&text).as_bytes(), &options).unwrap();
+            let found = area(half);
+            let expected = 4.0 * std::f64::consts::PI;
+            assert!((found - expected).abs() < 1e-3, "{text}: {found}");
+        }
+    }
+}
+
+#[test]
+fn corners_of_rectangles_may_be_round() {
+    let options = ReadOptions {
+        flatness: Some(1e-5),
+        ..ReadOptions::default()
+    };
+    let corner = 1.0 - std::f64::consts::FRAC_PI_4;
+    for (radii, expected) in [
+        ("rx=\"1\"", 32.0 - 4.0 * corner),
+        ("rx=\"3\" ry=\"1\"", 32.0 - 12.0 * corner),
+        ("ry=\"9\"", 32.0 - 32.0 * corner),
+        ("rx=\"0\" ry=\"1\"", 32.0),
+    ] {
+        let text = picture(&format!("<rect width=\"8\" height=\"4\" {radii}/>"));
+        let found = area(read("a.svg", text.as_bytes(), &options).unwrap());
+        assert!((found - expected).abs() < 1e-3, "{radii}: {found}");
+    }
+}
+
+#[test]
+fn shapes_without_area_or_with_negated_zeros_leave_nothing_odd() {
+    let flat = "<rect width=\"3\"/><rect height=\"2\"/><rect width=\"1\" height=\"0\"/>";
+    assert_eq!(places(&domain("a.svg", &picture(flat))).len(), 0);
+    let line = domain("a.svg", &picture("<line x1=\"-0\" x2=\"4\"/>"));
+    let is_negative = |p: &delone::Point| p.x.is_sign_negative() || p.y.is_sign_negative();
+    assert!(!line.vertices.points.iter().any(is_negative));
 }
 
 #[test]
