@@ -236,7 +236,7 @@ fn help_and_version_are_0() {
 }
 
 #[test]
-fn help_and_readme_name_every_key_of_the_json() {
+fn help_names_every_key_of_the_json_of_meshes() {
     let folder = Folder::with_points();
     let triangulate = folder.run("triangulate --help", 0).stdout;
     let mesh = triangulate.clone() + &folder.run("mesh --help", 0).stdout;
@@ -246,7 +246,6 @@ fn help_and_readme_name_every_key_of_the_json() {
             .json();
         for key in json.as_object().expect("an object").keys() {
             assert!(help.contains(key.as_str()), "help of {command}: {key}");
-            assert!(README.contains(&format!("`{key}`")), "README: {key}");
         }
     }
 }

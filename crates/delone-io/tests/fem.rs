@@ -677,12 +677,18 @@ fn triangles_of_several_groups_are_kept_once() {
     assert_eq!(mesh.triangle_attributes[0].values, [3.0, 3.0]);
     assert_eq!(
         mesh.vertices.notes,
-        ["triangles that are there twice are kept once: 1"]
+        [
+            "triangles that are there twice are kept once: 1",
+            "of elements in several physical groups only the first group is kept"
+        ]
     );
     let mesh = mesh_of("a.msh", &twice).expect("a mesh");
     assert_eq!(
         mesh.vertices.notes,
-        ["triangles that are there twice are kept once: 2"]
+        [
+            "triangles that are there twice are kept once: 2",
+            "of elements in several physical groups only the first group is kept"
+        ]
     );
 }
 
