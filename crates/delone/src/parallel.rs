@@ -67,8 +67,8 @@ impl Workers {
 
     /// Returns the length of the chunks in which `n` elements are shared out, `per_thread` a thread.
     pub fn chunk_len(self, n: usize, per_thread: usize) -> usize {
-        /// Below this, handing work over costs more than doing it.
-        const LEAST: usize = 1 << 14;
+        /// Below this, handing work over costs more than doing it; Miri is to see small work handed over.
+        const LEAST: usize = if cfg!(miri) { 8 } else { 1 << 14 };
         if self.threads == 1 {
             return n.max(1);
         }

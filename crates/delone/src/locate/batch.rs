@@ -7,8 +7,8 @@ use crate::parallel::{Workers, with_workers};
 use crate::{Error, Phase, Point, Watch};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Queries that are answered in a row, and between two looks at the watch.
-const RUN: usize = 1 << 12;
+/// Queries that are answered in a row, and between two looks at the watch; few where Miri is to see threads.
+const RUN: usize = if cfg!(miri) { 1 << 3 } else { 1 << 12 };
 
 /// Refuses a point with a coordinate that is NaN or infinite.
 pub(crate) fn check_finite(points: &[Point]) -> Result<(), Error> {
@@ -58,15 +58,14 @@ impl Spread {
             let done = AtomicU64::new(0);
             let mut answers = reserve(points.len());
             let places = Places(answers.as_mut_ptr());
-            let finished = workers.map(keys.chunks(RUN).collect(), |keys: &[u64]| {
+            let is_answered = workers.map(keys.chunks(RUN).collect(), |keys: &[u64]| {
                 if watch.is_cancelled() {
-                    return None;
+                    return false;
                 }
                 let mut state = begin();
-                let indices = || keys.iter().map(|&key| key as u32 as usize);
                 // All at once: they lie far from each other in memory.
-                let asked: Vec<Point> = indices().map(|i| points[i]).collect();
-                for (i, p) in indices().zip(asked) {
+                let asked: Vec<Point> = indices(keys).map(|i| points[i]).collect();
+                for (i, p) in indices(keys).zip(asked) {
                     let answer = answer(&mut state, p);
                     // SAFETY: the keys hold each index of `points` once, and there is room for as many.
                     unsafe { places.put(i, answer) };
@@ -74,9 +73,16 @@ impl Spread {
                 let run = keys.len() as u64;
                 let done = done.fetch_add(run, Relaxed) + run;
                 watch.progress(phase, done, points.len() as u64);
-                Some(())
+                true
             });
-            finished.into_iter().collect::<Option<()>>()?;
+            if is_answered.contains(&false) {
+                let answered = keys.chunks(RUN).zip(is_answered).filter(|run| run.1);
+                for i in answered.flat_map(|(keys, _)| indices(keys)) {
+                    // SAFETY: the run of this place has written it, and nobody reads it any more.
+                    unsafe { places.drop(i) };
+                }
+                return None;
+            }
             // SAFETY: every place has been written.
             unsafe { answers.set_len(points.len()) };
             Some(answers)
@@ -98,6 +104,11 @@ impl Spread {
     }
 }
 
+/// Returns the numbers of the queries that have these keys.
+fn indices(keys: &[u64]) -> impl Iterator<Item = usize> {
+    keys.iter().map(|&key| key as u32 as usize)
+}
+
 /// Where several threads put answers, each to places of its own.
 struct Places<A>(*mut A);
 // SAFETY: every thread writes its own places only, and what it writes may be sent.
@@ -110,5 +121,52 @@ impl<A> Places<A> {
     unsafe fn put(&self, place: usize, answer: A) {
         // SAFETY: as promised by the caller.
         unsafe { self.0.add(place).write(answer) }
+    }
+
+    /// # Safety
+    /// An answer must have been put at `place`, and nobody may read it afterwards.
+    unsafe fn drop(&self, place: usize) {
+        // SAFETY: as promised by the caller.
+        unsafe { self.0.add(place).drop_in_place() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+
+    /// Cancels when the first answers are there.
+    struct Hasty(AtomicU64);
+
+    impl Watch for Hasty {
+        fn progress(&self, phase: Phase, done: u64, _: u64) {
+            if phase == Phase::Query {
+                self.0.store(done, Relaxed);
+            }
+        }
+
+        fn is_cancelled(&self) -> bool {
+            self.0.load(Relaxed) > 0
+        }
+    }
+
+    #[test]
+    fn answers_in_vain_are_dropped() {
+        let points = vec![Point::new(0.0, 0.0); 2 * RUN];
+        let answer = Arc::new(());
+        for threads in [1, 2] {
+            let answers = Spread::around(&points).answer(
+                &points,
+                Some(threads),
+                (&Hasty(0.into()), Phase::Query),
+                || (),
+                |(), _| answer.clone(),
+            );
+            // On two threads both runs may have begun.
+            assert!(threads == 2 || answers.is_err());
+            drop(answers);
+            assert_eq!(Arc::strong_count(&answer), 1);
+        }
     }
 }
