@@ -87,7 +87,7 @@ test("a breakpoint on a line stops there, every time it begins to run", async ()
   await page.getByText("Stopped: line 4 runs").waitFor();
   await paused(page);
   const first = await at(page);
-  await expect.poll(() => page.locator(".code [aria-current=\"step\"]").textContent()).toContain("flip(e)");
+  await expect.poll(() => page.locator('.code [aria-current="step"]').textContent()).toContain("flip(e)");
   await page.keyboard.press("b");
   await expect.poll(() => at(page)).toBeGreaterThan(first);
   await page.keyboard.press("Shift+B");
