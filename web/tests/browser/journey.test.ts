@@ -50,14 +50,14 @@ test("the newcomer's minute", async () => {
   await page.getByRole("button", { name: "Play", exact: true }).last().click();
   await expect.poll(() => at(page)).toBeGreaterThan(8);
   await page.getByRole("button", { name: "Pause", exact: true }).click();
-  expect(await said(page).textContent()).not.toBe("Before the first step.");
+  await expect.poll(() => said(page).textContent()).not.toBe("Before the first step.");
   // A flip, and back over it.
   await page.keyboard.press("f");
   await expect.poll(() => said(page).textContent()).toContain("is flipped");
   const flip = await at(page);
   await page.keyboard.press("ArrowLeft");
   await expect.poll(() => said(page).textContent()).not.toContain("is flipped");
-  expect(await at(page)).toBe(flip - 1);
+  await expect.poll(() => at(page)).toBe(flip - 1);
   // A file of one's own, meshed and saved.
   await drop(page, "plate.wkt", "POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0), (2 1, 4 1, 4 3, 2 3, 2 1))");
   await page.getByText("Points: 8, segments: 8, holes: 0").waitFor();
@@ -78,8 +78,8 @@ test("a lecture: a link to a moment, overlays, and pictures to take along", asyn
   );
   await expect.poll(() => at(page)).toBe(100);
   const see = (name: string) => page.getByRole("checkbox", { name, exact: true });
-  expect(await see("Numbers").isChecked()).toBe(true);
-  expect(await see("Front").isChecked()).toBe(false);
+  await expect.poll(() => see("Numbers").isChecked()).toBe(true);
+  await expect.poll(() => see("Front").isChecked()).toBe(false);
   await see("Voronoi cells").check();
   await see("Numbers").uncheck();
   await expect.poll(() => page.url()).toContain("voronoi");

@@ -39,7 +39,7 @@ test("played, stepped back, opened, meshed, saved", async () => {
   await page.keyboard.press("Tab");
   expect(await page.locator(":focus").textContent()).toBe("Skip to the stage");
   await page.keyboard.press("Enter");
-  expect(await page.evaluate(() => document.activeElement?.id)).toBe("stage");
+  await expect.poll(() => page.evaluate(() => document.activeElement?.id)).toBe("stage");
 
   await page.keyboard.press(" ");
   await expect.poll(() => position(page)).toBeGreaterThan(1);
@@ -66,7 +66,7 @@ test("played, stepped back, opened, meshed, saved", async () => {
   await tabTo(page, page.getByRole("dialog").getByRole("button", { name: "Save" }));
   const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
   expect(readFileSync(await saved.path()).length).toBeGreaterThan(50);
-  expect(await page.getByText("(done)").count()).toBe(4);
+  await expect.poll(() => page.getByText("(done)").count()).toBe(4);
   await page.context().close();
   expect(theatre.complaints).toEqual([]);
 });

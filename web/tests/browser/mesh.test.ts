@@ -128,9 +128,9 @@ test("a number that is none is refused at its field", async () => {
   const edge = panel(page).getByLabel("Longest edge", { exact: true });
   await edge.fill("-1");
   await panel(page).getByText("This must be more than 0.").waitFor();
-  expect(await edge.getAttribute("aria-invalid")).toBe("true");
+  await expect.poll(() => edge.getAttribute("aria-invalid")).toBe("true");
   await edge.fill("1,5");
-  expect(await edge.getAttribute("aria-invalid")).toBe("false");
+  await expect.poll(() => edge.getAttribute("aria-invalid")).toBe("false");
   await tab(page, "Export");
   await panel(page).getByText("--max-edge 1.5").waitFor();
   expect(theatre.complaints).toEqual([]);

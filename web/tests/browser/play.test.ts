@@ -43,7 +43,7 @@ test("a run is played to its end, scrubbed back, and stepped", async () => {
   await slider(page).fill("400");
   await page.getByText("400 of").waitFor();
   await page.keyboard.press("ArrowRight");
-  expect(await at(page)).toBe(401);
+  await expect.poll(() => at(page)).toBe(401);
   await page.keyboard.press("Home");
   await page.getByText("Before the first step.").waitFor();
   expect(theatre.complaints).toEqual([]);
@@ -63,7 +63,7 @@ test("keys step, and jump from flip to flip in both directions", async () => {
   // A flip backwards: the step before it is the test that asked for it.
   await page.keyboard.press("ArrowLeft");
   await expect.poll(() => said.textContent()).toContain("lies inside the circle");
-  expect(await at(page)).toBe(first - 1);
+  await expect.poll(() => at(page)).toBe(first - 1);
   expect(theatre.complaints).toEqual([]);
 });
 
@@ -75,7 +75,7 @@ test("a run plays backwards to its beginning", async () => {
   await page.getByRole("button", { name: "Play backwards" }).click();
   await page.getByText("Before the first step.").waitFor();
   await paused(page);
-  expect(await at(page)).toBe(0);
+  await expect.poll(() => at(page)).toBe(0);
   expect(theatre.complaints).toEqual([]);
 });
 
@@ -136,6 +136,8 @@ test("while a seed is turned, the run stays at its end", async () => {
   const page = await theatre.visit();
   await page.getByRole("combobox", { name: "Algorithm" }).selectOption("random-incremental");
   await page.locator(".code").getByText("shuffle").waitFor();
+  // Only then is its run there.
+  await play(page).click({ trial: true });
   await page.keyboard.press("End");
   await page.getByText("This was the last step.").waitFor();
   const before = await end(page);

@@ -35,7 +35,7 @@ test("flips are guessed by keyboard", async () => {
     await verdict(page).waitFor();
     if ((await verdict(page).textContent()) === "Right!") right += 1;
     await page.getByText(/Edge \d+–\d+ is flipped to/).waitFor();
-    expect(await points(page)).toEqual([right, round]);
+    await expect.poll(() => points(page)).toEqual([right, round]);
     await page.keyboard.press("Enter");
   }
   await page.getByText(question).waitFor();
@@ -111,7 +111,7 @@ test("any edge may be guessed, with the arrow keys or on the stage", async () =>
   for (let x = 0.4; x < 0.6 && (await verdict(page).count()) === 0; x += 0.02)
     await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
   await verdict(page).waitFor();
-  expect(await points(page)).toHaveLength(2);
+  await expect.poll(() => points(page)).toHaveLength(2);
   expect(theatre.complaints).toEqual([]);
 });
 

@@ -15,7 +15,7 @@ test("three race, and come to the same triangulation", async () => {
   await page.getByRole("combobox", { name: "The race takes" }).selectOption("3");
   const start = page.getByRole("button", { name: "Start", exact: true });
   await expect.poll(() => start.getAttribute("aria-disabled")).toBe("false");
-  expect(await page.locator(".lane").count()).toBe(3);
+  await expect.poll(() => page.locator(".lane").count()).toBe(3);
   await start.click();
   await page.getByText("All have made the same triangulation.").waitFor();
   await expect.poll(() => page.locator(".lane .medal").allTextContents()).toHaveLength(3);
@@ -52,8 +52,10 @@ test("all algorithms are compared in a table that can be sorted", async () => {
   await page.getByRole("button", { name: "Compare again" }).waitFor();
   const rows = page.locator(".compare tbody tr");
   await expect.poll(() => page.getByRole("button", { name: "Compare again" }).isEnabled()).toBe(true);
-  expect(await rows.count()).toBeGreaterThan(12);
-  expect(await page.getByRole("img", { name: "The library's triangulation" }).count()).toBeGreaterThan(8);
+  await expect.poll(() => rows.count()).toBeGreaterThan(12);
+  await expect
+    .poll(() => page.getByRole("img", { name: "The library's triangulation" }).count())
+    .toBeGreaterThan(8);
   await page.getByRole("button", { name: "Steps", exact: true }).click();
   const cells = await rows.locator("td:nth-child(3)").allTextContents();
   const steps = cells.map((cell) => Number(cell.replaceAll(",", "")));

@@ -196,10 +196,10 @@ test("the pointer asks for half-edges, vertices and triangles", async () => {
     await page.keyboard.press("Space");
     await settled(page);
     const first = await picture(canvas(page));
-    expect(await drawn(canvas(page)), name).toBeGreaterThan(before + 20);
+    await expect.poll(() => drawn(canvas(page)), { message: name }).toBeGreaterThan(before + 20);
     await page.mouse.move(place.x + place.width * 0.6, place.y + place.height * 0.4);
     await settled(page);
-    expect(await picture(canvas(page)), `${name}, elsewhere`).not.toBe(first);
+    await expect.poll(() => picture(canvas(page)), { message: `${name}, elsewhere` }).not.toBe(first);
     await page.keyboard.press("Space");
   }
   expect(theatre.complaints).toEqual([]);
@@ -261,16 +261,16 @@ test("the lifted view rises, turns by keys and by hand, and is closed", async ()
 test("what is switched is kept, and set back", async () => {
   const page = await theatre.visit();
   await page.getByText("Before the first step.").waitFor();
-  expect(await box(page, "Front").isChecked()).toBe(true);
+  await expect.poll(() => box(page, "Front").isChecked()).toBe(true);
   await box(page, "Front").uncheck();
   await box(page, "Voronoi cells").check();
   await page.reload();
   await page.getByText("Before the first step.").waitFor();
-  expect(await box(page, "Front").isChecked()).toBe(false);
-  expect(await box(page, "Voronoi cells").isChecked()).toBe(true);
+  await expect.poll(() => box(page, "Front").isChecked()).toBe(false);
+  await expect.poll(() => box(page, "Voronoi cells").isChecked()).toBe(true);
   await page.getByRole("button", { name: "As usual" }).click();
-  expect(await box(page, "Front").isChecked()).toBe(true);
-  expect(await box(page, "Voronoi cells").isChecked()).toBe(false);
+  await expect.poll(() => box(page, "Front").isChecked()).toBe(true);
+  await expect.poll(() => box(page, "Voronoi cells").isChecked()).toBe(false);
   expect(theatre.complaints).toEqual([]);
 });
 
