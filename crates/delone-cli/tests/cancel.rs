@@ -41,13 +41,17 @@ fn send(child: &mut Child, signal: libc::c_int) {
     assert_eq!(unsafe { libc::kill(id, signal) }, 0);
 }
 
-/// Sends Ctrl-C after a while and returns how the program ended, and how long it took to.
+/// Sends Ctrl-C after a while and returns how the program ended, and how long it took to; with `--nocapture` it is read.
 fn interrupt(child: &mut Child, after: Duration) -> (ExitStatus, Duration) {
     sleep(after);
     send(child, libc::SIGINT);
     let start = Instant::now();
     let status = child.wait().expect("the program ends");
-    (status, start.elapsed())
+    let time = start.elapsed();
+    if status.code() == Some(130) {
+        println!("heard {} ms after {after:?}", time.as_millis());
+    }
+    (status, time)
 }
 
 #[test]
