@@ -16,7 +16,7 @@ import { count, words } from "../words";
 import { Button } from "./Button";
 import "./clock";
 import { Jumps } from "./Jumps";
-import { go, step, togglePlaying } from "./keys";
+import { go, goToEnd, step, togglePlaying } from "./keys";
 import { Legend } from "./Legend";
 import { Speed } from "./Speed";
 import { Timeline } from "./Timeline";
@@ -88,7 +88,7 @@ function Buttons({ length }: { length: number }) {
       <Button label={say.next} keys="→" isOff={at === length} act={() => step(1)}>
         <StepIcon />
       </Button>
-      <Button label={say.last} keys="End" isOff={at === length} act={() => go(length)}>
+      <Button label={say.last} keys="End" isOff={at === length} act={goToEnd}>
         <LastIcon />
       </Button>
     </div>

@@ -1,26 +1,33 @@
 // The keys of the transport.
 
 import { bind } from "../app/shortcuts";
-import { heading, isPlaying, jump, jumpToStop, position, run, seek } from "../state/play";
+import { heading, isPlaying, jump, jumpToStop, position, run, seek, whenThere } from "../state/play";
 
 /** Plays this way; pauses if it does so already. */
 export function togglePlaying(way: "next" | "previous"): void {
   const isSo = isPlaying.value && heading.value === way;
   heading.value = way;
-  isPlaying.value = !isSo && (run.value?.length ?? 0) > 0;
+  if (isSo) isPlaying.value = false;
+  else
+    whenThere(() => {
+      isPlaying.value = (run.peek()?.length ?? 0) > 0;
+    });
 }
 
 /** Goes a few steps, and stays there. */
 export function step(by: number): void {
   isPlaying.value = false;
-  seek(position.value + by);
+  whenThere(() => seek(position.peek() + by));
 }
 
 /** Goes to a place, and stays there. */
 export function go(to: number): void {
   isPlaying.value = false;
-  seek(to);
+  whenThere(() => seek(to));
 }
+
+/** Goes to the end, and stays there: to that of the run that comes, where the one before may be shorter. */
+export const goToEnd = (): void => go(Number.POSITIVE_INFINITY);
 
 /** Kinds of moments to jump to, and the key for each. */
 export const jumps = {
@@ -46,7 +53,7 @@ bind("play", "Shift+ ", "playBackwards", () => togglePlaying(isPlaying.value ? h
 bind("play", "ArrowRight", "next", () => step(1));
 bind("play", "ArrowLeft", "previous", () => step(-1));
 bind("play", "Home", "first", () => go(0));
-bind("play", "End", "last", () => go(run.value?.length ?? 0));
+bind("play", "End", "last", goToEnd);
 for (const [kind, key] of Object.entries(jumps) as [Jump, string][]) {
   const letter = key.toLowerCase();
   const isChange = kind === "change";

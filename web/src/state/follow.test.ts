@@ -19,6 +19,16 @@ function setUp() {
   return { a, b, isOn, isBusy, act, follower };
 }
 
+test("whoever asks knows that something is about to be done", () => {
+  const { a, act, follower } = setUp();
+  expect(follower.isDue()).toBe(false);
+  a.value = 2;
+  expect(follower.isDue()).toBe(true);
+  vi.runAllTimers();
+  expect(act).toHaveBeenCalledTimes(2);
+  expect(follower.isDue()).toBe(false);
+});
+
 test("changes that come together are one, and what is known is none", () => {
   const { a, b, act, follower } = setUp();
   expect(act).toHaveBeenCalledTimes(1);

@@ -6,6 +6,8 @@ import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 type Values = unknown[] | null;
 
 export interface Follower {
+  /** Tells whether something has changed, so that `act` may be about to be called. */
+  isDue(): boolean;
   /** Takes the values as they are for known, since somebody has acted already; returns them. */
   accept(): Values;
   /** Forgets values that were accepted, since what came of them is lost, unless there are newer ones. */
@@ -28,6 +30,7 @@ export function follow(read: () => Values, isBusy: ReadonlySignal<boolean>, act:
     isDue = true;
   });
   return {
+    isDue: () => isDue,
     accept() {
       known = untracked(read);
       return known;

@@ -128,15 +128,44 @@ export function seek(to: number): void {
   position.value = Math.max(0, Math.min(Math.round(to), length));
 }
 
-/** Waits for the run that is being made: a key that is pressed meanwhile is meant for it. */
-async function there(): Promise<void> {
-  let stop = () => {};
-  await new Promise<void>((done) => {
-    stop = effect(() => {
-      if (run.value || !jobOf(stage).value) done();
+/** Whether a drawing, or the run itself, is being made. */
+const isUnderWay = computed(
+  () => isDrawing.value || isAdopting.value || (run.value === null && jobOf(stage).value !== null),
+);
+
+/** Whether there will soon be another run: what it is made of is on its way, or has changed just now. */
+const isComing = (): boolean => isUnderWay.peek() || follower.isDue();
+
+/** Fulfilled when no run is to come any more. */
+async function arrival(): Promise<void> {
+  while (isComing()) {
+    let stop = () => {};
+    await new Promise<void>((done) => {
+      stop = effect(() => {
+        if (!isUnderWay.value) done();
+      });
     });
+    stop();
+    // Between the end of the drawing's job and the beginning of the run's there is none: look again after that.
+    await new Promise((next) => setTimeout(next));
+  }
+}
+
+/** What all wait for who have come while a run was being made. */
+let coming: Promise<void> | null = null;
+
+/** Waits for the run that is being made, if one is. */
+function there(): Promise<void> {
+  coming ??= arrival().finally(() => {
+    coming = null;
   });
-  stop();
+  return coming;
+}
+
+/** Does something with the run: what is asked for while another one is made is meant for that, and is done in turn. */
+export function whenThere(act: () => void): void {
+  if (coming || isComing()) void there().then(act);
+  else act();
 }
 
 /** Goes to the next, or the previous, position behind a step of this kind; to the end, or the beginning, if there is none. */

@@ -145,7 +145,8 @@ function isTestOf({ edge, apexes }: Quad, event: unknown): boolean {
 /** Says which edge it will be. */
 export async function guess(quad: Quad): Promise<void> {
   const of = puzzle.peek();
-  if (!of || answered.peek()) return;
+  // While another run is made, this puzzle is about to give way to that of another one.
+  if (!of || answered.peek() || !run.peek()) return;
   const verdict = judge(quad, of.answer, of.illegal);
   batch(() => {
     answered.value = { guess: quad, verdict, because: null, instead: null };
