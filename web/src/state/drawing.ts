@@ -86,6 +86,13 @@ export const openEmpty = (): Promise<boolean> =>
 /** Changes the drawing; all of the edits are made, or none. */
 export const edit = (...edits: Edit[]): Promise<boolean> => changing(() => change(edits, false));
 
+/** Changes the drawing by edits that depend on how it is once all that was asked for before is done; by none, too. */
+export const editBy = (make: (drawn: DrawingData) => Edit[]): Promise<boolean> =>
+  changing(async () => {
+    const edits = make(drawing.peek()!);
+    return edits.length > 0 && change(edits, false);
+  });
+
 /** Changes the drawing by an edit that takes the place of the last one: another position of what is dragged. */
 export const amend = (edit: Edit): Promise<boolean> => changing(() => change([edit], true));
 

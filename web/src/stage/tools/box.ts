@@ -1,7 +1,7 @@
 // The box of tools: which there are, and which is in hand.
 
 import { computed } from "@preact/signals";
-import { edit } from "../../state/drawing";
+import { editBy } from "../../state/drawing";
 import { type Tool, tool } from "../tool";
 import { remove } from "./edits";
 import { erase } from "./erase";
@@ -50,6 +50,9 @@ export function stop(): boolean {
 
 /** Removes what the pointer hovers over, if a tool that draws is in hand. */
 export function removeHovered(): void {
-  const what = hovered.peek();
-  if (what && inHand.peek() !== "view") void edit(remove(what));
+  if (inHand.peek() === "view") return;
+  void editBy(() => {
+    const what = hovered.peek();
+    return what ? [remove(what)] : [];
+  });
 }

@@ -1,6 +1,6 @@
 // The eraser: what is clicked goes; a point with the segments that end there.
 
-import { edit } from "../../state/drawing";
+import { editBy } from "../../state/drawing";
 import type { Place, Tool } from "../tool";
 import { remove } from "./edits";
 import { under } from "./under";
@@ -9,7 +9,9 @@ export const erase: Tool = {
   cursor: "crosshair",
   down: () => false,
   click(place: Place): void {
-    const what = under(place);
-    if (what) void edit(remove(what));
+    void editBy(() => {
+      const what = under(place);
+      return what ? [remove(what)] : [];
+    });
   },
 };

@@ -1,6 +1,6 @@
 // Holes: a click marks the hole around it, a click with Shift takes the mark away; a mark that is dragged moves.
 
-import { edit } from "../../state/drawing";
+import { editBy } from "../../state/drawing";
 import type { Place, Tool } from "../tool";
 import { dragTo, grab, release } from "./drag";
 import { holeNear } from "./under";
@@ -14,9 +14,10 @@ export const holes: Tool = {
     return true;
   },
   click(place: Place): void {
-    const hole = holeNear(place);
-    if (hole === null) void edit({ addHole: [place.x, place.y] });
-    else void edit({ removeHole: hole });
+    void editBy(() => {
+      const hole = holeNear(place);
+      return [hole === null ? { addHole: [place.x, place.y] } : { removeHole: hole }];
+    });
   },
   move: ({ x, y }) => dragTo(x, y),
   up: () => void release(),
