@@ -25,8 +25,9 @@ let written = "";
 /** Shows what the address tells, its drawing if nobody wishes for another one, and keeps it true from then on. */
 export async function beginLink(first: object): Promise<void> {
   await restore(location.hash.slice(1), first);
-  addEventListener("hashchange", () => {
-    const hash = location.hash.slice(1);
+  addEventListener("hashchange", (event) => {
+    // Not `location`: between the change and this event the page may have written its own address there.
+    const hash = new URL((event as HashChangeEvent).newURL).hash.slice(1);
     if (hash !== written) void restore(hash);
   });
   keepWriting();

@@ -30,10 +30,22 @@ test("a run is shown again where it stood", async () => {
     location.hash = "#mode=mesh&preset=thesis&kind=constrain&mesh.minAngle=11";
   });
   await counts(again, 9, 9, 1);
-  expect(await again.getByRole("button", { name: "Mesh", exact: true }).getAttribute("aria-current")).toBe(
-    "page",
-  );
+  const mode = again.getByRole("button", { name: "Mesh", exact: true });
+  await expect.poll(() => mode.getAttribute("aria-current")).toBe("page");
   await expect.poll(() => hash(again)).toContain("mesh.minAngle=11");
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("another address counts, even where the page writes its own before it hears of that", async () => {
+  const page = await theatre.visit("#preset=uniform&n=12");
+  await counts(page, 12, 0, 0);
+  await page.evaluate(() => {
+    const own = location.href;
+    location.hash = "#preset=thesis";
+    history.replaceState(history.state, "", own);
+  });
+  await counts(page, 9, 9, 1);
+  await expect.poll(() => hash(page)).toContain("preset=thesis");
   expect(theatre.complaints).toEqual([]);
 });
 
