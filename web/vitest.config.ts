@@ -19,6 +19,9 @@ export default defineConfig({
           testTimeout: 240_000,
           hookTimeout: 60_000,
           expect: { poll: { timeout: 60_000 } },
+          // A browser on a busy machine. A net, no excuse: the reporter tells what was tried twice, and whoever sees a
+          // test there mends it, or the page.
+          retry: 1,
         },
       },
       {

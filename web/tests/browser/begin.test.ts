@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -59,7 +59,7 @@ test.each([
 ])("on a page with the address '%s' a preset chosen after %i ms stays", async (address, delay) => {
   const page = await theatre.visit(address, {}, choosing(delay));
   await counts(page, "9, segments: 9, holes: 1");
-  await page.waitForTimeout(400);
+  await settled(page);
   await counts(page, "9, segments: 9, holes: 1");
   await expect.poll(() => page.url()).toContain("preset=thesis");
   expect(theatre.complaints).toEqual([]);
@@ -68,7 +68,7 @@ test.each([
 test("a file dropped in the first moments stays; one that is broken leaves the usual drawing", async () => {
   const page = await theatre.visit("", {}, dropping("three.csv", "0,0\n1,0\n0,1\n"));
   await counts(page, "3, segments: 0, holes: 0");
-  await page.waitForTimeout(400);
+  await settled(page);
   await counts(page, "3, segments: 0, holes: 0");
   const other = await theatre.visit("", {}, dropping("three.csv", "0,0\n1,oops\n"));
   await other.getByRole("alert").filter({ hasText: "three.csv:2" }).waitFor();

@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -13,7 +13,7 @@ afterAll(() => theatre.close());
 
 async function visit(): Promise<Page> {
   const page = await theatre.visit("", { viewport: { width: 1280, height: 720 } });
-  await page.locator(".loading").waitFor({ state: "detached" });
+  await settled(page);
   return page;
 }
 
@@ -22,9 +22,11 @@ async function tabTo(page: Page, goal: Locator): Promise<void> {
   await goal.first().waitFor();
   for (let i = 0; i < 150; i++) {
     await page.keyboard.press("Tab");
-    const has = await goal.evaluateAll((all) => all.some((one) => one === document.activeElement));
-    if (!has) continue;
-    const outline = await page.locator(":focus").evaluate((one) => getComputedStyle(one).outlineStyle);
+    const outline = await goal.evaluateAll((all) => {
+      const one = all.find((each) => each === document.activeElement);
+      return one ? getComputedStyle(one).outlineStyle : null;
+    });
+    if (outline === null) continue;
     expect(outline).not.toBe("none");
     return;
   }
@@ -44,6 +46,10 @@ test("played, stepped back, opened, meshed, saved", async () => {
   await page.keyboard.press(" ");
   await expect.poll(() => position(page)).toBeGreaterThan(1);
   await page.keyboard.press(" ");
+  await page
+    .getByRole("region", { name: "Playing" })
+    .getByRole("button", { name: "Play", exact: true })
+    .waitFor();
   const at = await position(page);
   await page.keyboard.press("ArrowLeft");
   await expect.poll(() => position(page)).toBeLessThan(at);
@@ -95,7 +101,7 @@ test("the help lists the keys, and leads back to what to try first", async () =>
   const page = await visit();
   await button(page, "Do not show this again").click();
   await page.reload();
-  await page.locator(".loading").waitFor({ state: "detached" });
+  await settled(page);
   expect(await page.getByText("The first minute").count()).toBe(0);
   await page.keyboard.press("?");
   const help = page.getByRole("dialog", { name: "Help" });
@@ -110,11 +116,12 @@ test("the help lists the keys, and leads back to what to try first", async () =>
 test("panels fold away, and stay so", async () => {
   const page = await visit();
   const stage = page.locator(".middle");
-  const before = (await stage.boundingBox())!.width;
+  const width = async () => (await stage.boundingBox())?.width;
+  const before = (await width())!;
   await button(page, "Drawing and view").click();
   await button(page, "What is done with it").click();
-  expect((await stage.boundingBox())!.width).toBeGreaterThan(before + 500);
+  await expect.poll(width).toBeGreaterThan(before + 500);
   await page.reload();
-  expect((await stage.boundingBox())!.width).toBeGreaterThan(before + 500);
+  await expect.poll(width).toBeGreaterThan(before + 500);
   await page.context().close();
 });

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Drawing, initSync, Mesh } from "../../src/wasm/delone.js";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -19,6 +19,7 @@ async function visit(preset: string): Promise<Page> {
   const page = await theatre.visit();
   await page.getByRole("button", { name: "Mesh", exact: true }).click();
   await page.getByLabel("Preset").selectOption(preset);
+  await settled(page);
   return page;
 }
 
@@ -36,7 +37,8 @@ async function triangles(page: Page, before = ""): Promise<number> {
 
 async function hash(page: Page): Promise<string> {
   await tab(page, "Export");
-  return (await page.locator(".mesh-copy code").first().textContent())!;
+  const code = page.locator(".mesh-copy code").filter({ hasText: /^[0-9a-f]{32}$/ });
+  return (await code.textContent())!;
 }
 
 /** Clicks in the middle of the stage until a triangle is hit, and returns its heading. */
@@ -76,15 +78,16 @@ test("a large mesh is made with progress, cancelled at once, and made again", as
     }
     return gaps.sort((a, b) => a - b);
   });
-  // Measured in the page: on its way there a click waits for much else.
+  // Measured in the page, where a click has not waited for much else, and in frames, which a busy machine makes longer
+  // and not more: nothing is waited for, so the next one shows it.
   const heard = await cancel.evaluate(async (button: HTMLElement) => {
-    const since = performance.now();
+    let count = 0;
     button.click();
-    while (button.isConnected) await new Promise(requestAnimationFrame);
-    return performance.now() - since;
+    for (; button.isConnected; count++) await new Promise(requestAnimationFrame);
+    return count;
   });
-  console.log(`median frame ${frames[10].toFixed(0)} ms while meshing; cancelled in ${heard.toFixed(0)} ms`);
-  expect(heard).toBeLessThan(500);
+  console.log(`median frame ${frames[10].toFixed(0)} ms while meshing; cancelled within ${heard} frames`);
+  expect(heard).toBeLessThanOrEqual(2);
   await panel(page).getByText("Other options are chosen by now.").waitFor();
 
   // The mesh before is still there, also for questions, and the next one comes.
@@ -103,6 +106,11 @@ test("a large mesh is made with progress, cancelled at once, and made again", as
 
 test("quality is shown, bars show their triangles, and quick meshes follow", async () => {
   const page = await visit("lake");
+  // Which mesh is quick the worker's clock says: here all are, be the machine as busy as it may.
+  for (const worker of page.workers())
+    await worker.evaluate(() => {
+      performance.now = () => 0;
+    });
   await panel(page).getByLabel("Smallest angle", { exact: true }).press("Enter");
   const count = await triangles(page);
   const before = (await outcome(page).textContent())!;
@@ -110,10 +118,13 @@ test("quality is shown, bars show their triangles, and quick meshes follow", asy
   expect(await triangles(page, before)).toBeGreaterThan(count);
   await tab(page, "Quality");
   const bars = panel(page).getByRole("button", { name: /^\d+° to \d+°: [\d,]+ triangles$/ });
-  const counted = (await bars.evaluateAll((all) => all.map((bar) => bar.getAttribute("aria-label")!))).map(
-    (label) => Number(label.match(/: ([\d,]+)/)![1].replaceAll(",", "")),
-  );
-  expect(counted.reduce((a, b) => a + b)).toBe(await triangles(page));
+  const counts = async () =>
+    (await bars.evaluateAll((all) => all.map((bar) => bar.getAttribute("aria-label")!))).map((label) =>
+      Number(label.match(/: ([\d,]+)/)![1].replaceAll(",", "")),
+    );
+  const all = await triangles(page);
+  await expect.poll(async () => (await counts()).reduce((a, b) => a + b, 0)).toBe(all);
+  const counted = await counts();
   await bars.nth(15).click();
   await panel(page).getByText(`${counted[15]} triangles shown.`).waitFor();
   await panel(page).getByRole("button", { name: "Show all" }).click();
@@ -163,7 +174,7 @@ test("saved files are read again to the same triangles", async () => {
   const page = await visit("coast");
   await page.getByRole("spinbutton", { name: "Segments" }).fill("40");
   await page.getByRole("spinbutton", { name: "Segments" }).press("Enter");
-  await page.getByText("Points: 40,").waitFor();
+  await page.getByText("Points: 40, segments: 40,").waitFor();
   await panel(page).getByLabel("With segments").check();
   await meshIt(page).click();
   await triangles(page);

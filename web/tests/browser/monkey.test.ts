@@ -123,7 +123,6 @@ async function press({
 
 test.each([1, 2, 3, 4, 5, 6])("monkey %i leaves a living page", async (seed) => {
   const page = await theatre.visit();
-  page.setDefaultTimeout(10_000);
   await page.getByText("Points: 40").waitFor();
   const { log, said } = await page.evaluate(press, { seed, time: TIME });
   expect(complaints(), log.join(" | ")).toEqual([]);

@@ -3,7 +3,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -98,7 +98,6 @@ test("what is strange but sound is shown and worked with in every mode", async (
 
 test("large files are opened, meshed and given up at any moment", async () => {
   const page = await theatre.visit("#mode=mesh&kind=triangulate");
-  page.setDefaultTimeout(9000);
   await points(page, "40");
   const million = Array.from({ length: 1_000_000 }, (_, i) => `${Math.sin(i)},${Math.cos(3.1 * i)}`).join(
     "\n",
@@ -107,7 +106,7 @@ test("large files are opened, meshed and given up at any moment", async () => {
   await drop(page, "million.csv", million);
   await drop(page, "three.csv", "0 0\n1 0\n0 1\n");
   await points(page, "3");
-  await page.waitForTimeout(500);
+  await settled(page);
   await points(page, "3");
   await drop(page, "million.csv", million);
   await points(page, "1,000,000");

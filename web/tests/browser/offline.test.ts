@@ -1,7 +1,7 @@
 // Without a network: the page keeps itself where it may, and does all it can do.
 
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -25,7 +25,7 @@ test("once visited it works without a network", async () => {
 
 test("the program's page leaves nothing behind", async () => {
   const page = await theatre.visit("");
-  await page.locator(".loading").waitFor({ state: "detached" });
+  await settled(page);
   expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
   expect(await page.evaluate(() => caches.keys())).toEqual([]);
   await page.context().close();

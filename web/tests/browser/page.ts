@@ -4,6 +4,7 @@ import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { type Browser, chromium, type Page } from "playwright-core";
 import { type PreviewServer, preview } from "vite";
+import { onTestFailed, onTestFinished } from "vitest";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 
@@ -18,6 +19,44 @@ const flags = [
 
 /** Milliseconds that anything may take to come: nothing here is a test of speed. */
 const PATIENCE = 60_000;
+
+/** What the page's workers have been asked and have not answered yet; kept by `listen`. */
+type Open = Map<Worker, Set<string>>;
+
+/** Runs in the page before all else: listens to what its workers are asked, and to their answers. */
+function listen(): void {
+  const open: Open = new Map();
+  Object.assign(globalThis, { open });
+  const { postMessage, terminate } = Worker.prototype;
+  Worker.prototype.postMessage = function (this: Worker, message: { id?: string }, ...more: unknown[]) {
+    const mine = open.get(this) ?? new Set();
+    if (!open.has(this)) this.addEventListener("message", ({ data }) => mine.delete(data.id));
+    open.set(this, mine);
+    if (message.id) mine.add(message.id);
+    Reflect.apply(postMessage, this, [message, ...more]);
+  };
+  Worker.prototype.terminate = function (this: Worker) {
+    open.delete(this);
+    Reflect.apply(terminate, this, []);
+  };
+}
+
+/**
+ * Waits until the page has nothing more to do, however slow the machine is: no question to a worker is open, and for
+ * some frames in a row nothing has come of what has been done. Not for a page that plays.
+ */
+export const settled = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    const { open } = globalThis as unknown as { open: Open };
+    const isBusy = () =>
+      !document.querySelector(".app[data-ready=true]") || [...open.values()].some(({ size }) => size > 0);
+    // Effects come a frame and a timer later than what they follow, and may have effects themselves.
+    for (let calm = 0; calm < 4; calm++) {
+      await new Promise((next) => setTimeout(next));
+      await new Promise(requestAnimationFrame);
+      if (isBusy()) calm = -1;
+    }
+  });
 
 /** The page, served, and a browser to open it in. */
 export class Theatre {
@@ -45,7 +84,7 @@ export class Theatre {
     return new Theatre(address, server, browser);
   }
 
-  /** Opens the page anew; `hash` is a deep link, `options` are those of Playwright's contexts; `before` prepares it. */
+  /** Opens the page anew; `hash` is a deep link, or a whole address of another page; `options` are those of Playwright's contexts; `before` prepares it. */
   async visit(
     hash = "",
     options: Parameters<Browser["newContext"]>[0] = {},
@@ -53,6 +92,10 @@ export class Theatre {
   ): Promise<Page> {
     const context = await this.browser.newContext({ locale: "en", ...options });
     context.setDefaultTimeout(PATIENCE);
+    // What a test leaves open would be at work beside the next one, and what it has complained about is its own.
+    onTestFinished(() => context.close());
+    onTestFailed(() => void this.complaints.splice(0));
+    await context.addInitScript(listen);
     const page = await context.newPage();
     await before(page);
     return this.watch(page, hash);
@@ -65,7 +108,7 @@ export class Theatre {
       if (["error", "warning"].includes(message.type())) this.complaints.push(message.text());
     });
     page.on("pageerror", (error) => this.complaints.push(String(error)));
-    await page.goto(this.address + hash);
+    await page.goto(new URL(hash, this.address).href);
     return page;
   }
 

@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 let theatre: Theatre;
 beforeAll(async () => {
@@ -15,7 +15,8 @@ const question = "Which of the three is flipped next?";
 async function open(algorithm: string): Promise<Page> {
   const page = await theatre.visit();
   await page.getByRole("combobox", { name: "Algorithm" }).selectOption(algorithm);
-  await page.getByText("Before the first step.").waitFor();
+  // Its run is there: a puzzle of the one before would give way to that of this one.
+  await settled(page);
   await page.getByRole("button", { name: "Predict" }).click();
   return page;
 }
@@ -40,7 +41,8 @@ test("flips are guessed by keyboard", async () => {
   }
   await page.getByText(question).waitFor();
   await page.keyboard.press("h");
-  expect(await page.getByRole("button", { name: "Hint" }).getAttribute("aria-pressed")).toBe("true");
+  const hint = page.getByRole("button", { name: "Hint" });
+  await expect.poll(() => hint.getAttribute("aria-pressed")).toBe("true");
   await page.screenshot({ path: "test-results/predict.png" });
   expect(theatre.complaints).toEqual([]);
 });
@@ -63,13 +65,8 @@ test("a sweep flips for dents: the reason is its own test, and no edge must go f
   const page = await open("sweep");
   for (let round = 0; round < 3; round++) {
     await page.getByText(question).waitFor();
-    // A puzzle may still give way to that of a newer run.
-    await expect
-      .poll(async () => {
-        await page.keyboard.press("1");
-        return verdict(page).count();
-      })
-      .toBe(1);
+    await page.keyboard.press("1");
+    await verdict(page).waitFor();
     await page.getByText("Here that decides, not the circle.").waitFor();
     expect(await page.locator(".predict-message").textContent()).not.toMatch(/locally Delaunay|must go/);
     await page.keyboard.press("Enter");
@@ -92,7 +89,7 @@ test("whoever presses Enter on seeing the verdict is asked the next question", a
   await page.keyboard.press("1");
   await expect.poll(() => points(page)).toEqual([expect.any(Number), 1]);
   await page.getByText(question).waitFor();
-  expect(await verdict(page).count()).toBe(0);
+  await expect.poll(() => verdict(page).count()).toBe(0);
   expect(theatre.complaints).toEqual([]);
 });
 
@@ -108,10 +105,12 @@ test("any edge may be guessed, with the arrow keys or on the stage", async () =>
   await page.getByText("Which edge is flipped next?").waitFor();
   // Somewhere in the middle an edge is near.
   const box = (await page.locator("#stage .stage").boundingBox())!;
-  for (let x = 0.4; x < 0.6 && (await verdict(page).count()) === 0; x += 0.02)
+  for (let x = 0.4; x < 0.6 && (await verdict(page).count()) === 0; x += 0.02) {
     await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+    await settled(page);
+  }
   await verdict(page).waitFor();
-  await expect.poll(() => points(page)).toHaveLength(2);
+  await expect.poll(() => points(page)).toEqual([expect.any(Number), 2]);
   expect(theatre.complaints).toEqual([]);
 });
 

@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { violations } from "./axe";
-import { Theatre } from "./page";
+import { settled, Theatre } from "./page";
 
 const modes = ["Play", "Predict", "Race", "Mesh"];
 const sizes = {
@@ -23,12 +23,15 @@ afterAll(() => theatre.close());
 async function visit(options: Parameters<Theatre["visit"]>[1]): Promise<Page> {
   const page = await theatre.visit("", { reducedMotion: "reduce", ...options });
   await page.getByRole("button", { name: "Play", exact: true }).first().waitFor();
-  await page.locator(".loading").waitFor({ state: "detached" });
+  await settled(page);
   return page;
 }
 
-const go = (page: Page, mode: string) =>
-  page.getByRole("navigation", { name: "What to do" }).getByRole("button", { name: mode }).click();
+/** Goes to a mode, and waits until everything is there. */
+async function go(page: Page, mode: string): Promise<void> {
+  await page.getByRole("navigation", { name: "What to do" }).getByRole("button", { name: mode }).click();
+  await settled(page);
+}
 
 /** Tells how far the page may be scrolled to the side. */
 const overhang = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -49,9 +52,11 @@ describe.each(["light", "dark"] as const)("%s", (colorScheme) => {
   test("axe finds nothing in an open menu, nor in the help", async () => {
     const page = await visit({ colorScheme, viewport: sizes.phone });
     await page.getByRole("button", { name: "Menu", exact: true }).click();
+    await settled(page);
     expect(await violations(page)).toEqual([]);
     await page.getByRole("button", { name: "Help", exact: true }).click();
     await page.getByRole("dialog", { name: "Help" }).waitFor();
+    await settled(page);
     expect(await violations(page)).toEqual([]);
     await page.context().close();
   });
@@ -61,8 +66,10 @@ describe.each(["light", "dark"] as const)("%s", (colorScheme) => {
     for (const name of ["Paste …", "Save …"]) {
       await page.getByRole("button", { name, exact: true }).first().click();
       await page.getByRole("dialog").waitFor();
+      await settled(page);
       expect(await violations(page), name).toEqual([]);
       await page.keyboard.press("Escape");
+      await page.getByRole("dialog").waitFor({ state: "hidden" });
     }
     await go(page, "Mesh");
     await page.getByLabel("Preset").selectOption("lake");
@@ -70,6 +77,7 @@ describe.each(["light", "dark"] as const)("%s", (colorScheme) => {
     await page.locator(".mesh-outcome").getByText("triangles").waitFor();
     for (const tab of ["Options", "Quality", "Triangle", "Export"]) {
       await page.getByRole("tab", { name: tab }).click();
+      await settled(page);
       expect(await violations(page), tab).toEqual([]);
     }
     await page.context().close();
@@ -83,11 +91,12 @@ test("each panel of a phone is there, one at a time", async () => {
   for (const tab of await tabs.all()) {
     if ((await tab.getAttribute("aria-expanded")) === "false") await tab.click();
     const panels = page.locator(".panel").filter({ visible: true });
-    expect(await panels.count()).toBe(1);
+    await expect.poll(() => panels.count()).toBe(1);
+    await settled(page);
     expect(await violations(page)).toEqual([]);
   }
   await tabs.last().click();
-  expect(await page.locator(".panel").filter({ visible: true }).count()).toBe(0);
+  await expect.poll(() => page.locator(".panel").filter({ visible: true }).count()).toBe(0);
   await page.context().close();
 });
 
@@ -99,9 +108,10 @@ test.each([
   { name: "German, which is longer", viewport: { width: 360, height: 780 }, locale: "de" },
 ])("nothing sticks out: $name", async ({ viewport, locale = "en" }) => {
   const page = await theatre.visit("", { viewport, locale, reducedMotion: "reduce" });
-  await page.locator(".loading").waitFor({ state: "detached" });
+  await settled(page);
   for (const tab of await page.locator(".modes button").all()) {
     await tab.click();
+    await settled(page);
     expect(await overhang(page)).toBe(0);
     // Buttons of which a part is cut off could not be read.
     const cut = await page
@@ -146,10 +156,12 @@ test("what is read out does not chatter while a run plays", async () => {
       }
     });
     ears.observe(document.body, { subtree: true, childList: true, characterData: true });
-    await new Promise((done) => setTimeout(done, 2000));
+    // So many steps, however long they take.
+    const slider = document.querySelector<HTMLInputElement>(".timeline input")!;
+    const begin = slider.valueAsNumber;
+    while (slider.valueAsNumber < begin + 12) await new Promise(requestAnimationFrame);
     return changes;
   });
-  expect(Number(await page.getByLabel("Position", { exact: true }).inputValue())).toBeGreaterThan(3);
   expect(heard).toBe(0);
   await page.context().close();
 });
@@ -158,8 +170,9 @@ test("the colours of the system and less motion are kept to", async () => {
   const page = await visit({ forcedColors: "active", viewport: sizes.wide });
   expect(await violations(page)).toEqual([]);
   const chosen = page.getByRole("button", { name: "Play", exact: true }).first();
-  expect(await chosen.evaluate((button) => getComputedStyle(button).outlineStyle)).not.toBe("none");
-  expect(await page.evaluate(() => document.getAnimations().length)).toBe(0);
+  const outline = () => chosen.evaluate((button) => getComputedStyle(button).outlineStyle);
+  await expect.poll(outline).not.toBe("none");
+  await expect.poll(() => page.evaluate(() => document.getAnimations().length)).toBe(0);
   await page.context().close();
   expect(theatre.complaints).toEqual([]);
 });
