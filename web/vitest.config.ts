@@ -15,10 +15,10 @@ export default defineConfig({
           include: ["tests/browser/**/*.test.ts"],
           // One browser at a time: two cores, and figures of time that mean something.
           fileParallelism: false,
-          // A hang shall end it, not a machine that has other things to do, too: the whole corpus takes half a minute alone.
-          testTimeout: 240_000,
-          hookTimeout: 60_000,
-          expect: { poll: { timeout: 60_000 } },
+          // A hang shall end it, not a machine that has other things to do, too, and lets what takes seconds take minutes.
+          testTimeout: 600_000,
+          hookTimeout: 150_000,
+          expect: { poll: { timeout: 120_000 } },
           // A browser on a busy machine. A net, no excuse: the reporter tells what was tried twice, and whoever sees a
           // test there mends it, or the page.
           retry: 1,

@@ -17,8 +17,8 @@ const flags = [
   "--disable-sync",
 ];
 
-/** Milliseconds that anything may take to come: nothing here is a test of speed. */
-const PATIENCE = 60_000;
+/** Milliseconds that anything may take to come, the browser itself, too: nothing here is a test of speed. */
+const PATIENCE = 120_000;
 
 /** What the page's workers have been asked and have not answered yet; kept by `listen`. */
 type Open = Map<Worker, Set<string>>;
@@ -80,7 +80,11 @@ export class Theatre {
     const address = server.resolvedUrls?.local[0];
     if (!address) throw new Error("the server has no address");
     const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-    const browser = await chromium.launch({ executablePath, args: [...flags, ...more] });
+    const browser = await chromium.launch({
+      executablePath,
+      args: [...flags, ...more],
+      timeout: PATIENCE,
+    });
     return new Theatre(address, server, browser);
   }
 
