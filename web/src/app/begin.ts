@@ -23,7 +23,8 @@ export async function begin(): Promise<void> {
   // Before anybody can wish for something else.
   const first = wish();
   try {
-    algorithms.value = await stage.ask((engine) => engine.players.algorithms());
+    // Whoever wishes for one drawing after the other ends the worker that is asked, be it in its first moments.
+    algorithms.value = await stage.insist((engine) => engine.players.algorithms());
   } catch (error) {
     return fail("start", error);
   }

@@ -25,7 +25,7 @@ export function Presets() {
   const presets = useSignal(first);
   useEffect(() => {
     stage
-      .ask((engine) => engine.drawings.presets())
+      .insist((engine) => engine.drawings.presets())
       .then((all) => {
         presets.value = all;
       }, tell);

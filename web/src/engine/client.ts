@@ -73,6 +73,17 @@ export class Client {
     }
   }
 
+  /** Asks as often as somebody calls `cancel` meanwhile: for what the page cannot do without, whoever does what. */
+  async insist<T>(question: (engine: Engine) => Promise<T>): Promise<T> {
+    for (;;) {
+      try {
+        return await this.ask(question);
+      } catch (error) {
+        if (!(error instanceof Cancelled)) throw error;
+      }
+    }
+  }
+
   /** Ends whatever the worker is doing, at once, be it its beginning. The next question starts another worker. */
   cancel(): void {
     if (this.living) this.drop(this.living);

@@ -46,7 +46,7 @@ function SaveForm() {
     // The next one may be opened without a wish.
     wanted.value = null;
     stage
-      .ask((engine) => engine.drawings.formats())
+      .insist((engine) => engine.drawings.formats())
       .then((all) => {
         formats.value = all;
       }, tell);

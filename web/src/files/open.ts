@@ -44,7 +44,7 @@ export async function openNamed(
     const [main] = files;
     if (main.bytes.length === 0) throw new Error(words.peek().files.empty(main.name));
     const head = { name: main.name, bytes: main.bytes.slice(0, HEAD) };
-    const kind = await stage.ask((engine) => engine.drawings.kind(head));
+    const kind = await stage.insist((engine) => engine.drawings.kind(head));
     if (kind === "unknown") throw new Error(words.peek().files.unknown(main.name, await readable()));
     if (left.length > 0) notify("info", words.peek().files.leftOut(main.name, left.join(", ")));
     if (kind === "log") return await playLog(main);
@@ -65,7 +65,7 @@ const isEmpty = ({ points, holes, regions }: DrawingData): boolean =>
 
 /** Lists what can be opened, by extension. */
 export async function readable(): Promise<string> {
-  const formats: Format[] = await stage.ask((engine) => engine.drawings.formats());
+  const formats: Format[] = await stage.insist((engine) => engine.drawings.formats());
   const names = formats.filter(({ reads }) => reads).flatMap(({ extensions }) => extensions);
   return [...new Set(names)].map((name) => `.${name}`).join(", ");
 }

@@ -54,7 +54,7 @@ function Command() {
   const presets = useSignal<Preset[]>([]);
   useEffect(() => {
     stage
-      .ask((engine) => engine.drawings.presets())
+      .insist((engine) => engine.drawings.presets())
       .then((all) => {
         presets.value = all;
       }, tell);

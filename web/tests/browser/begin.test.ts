@@ -65,6 +65,52 @@ test.each([
   expect(theatre.complaints).toEqual([]);
 });
 
+/** Opens the page without its module, which comes when the function is called. */
+async function unready(): Promise<{ page: Page; come: () => void }> {
+  let come = () => {};
+  const awaited = new Promise<void>((done) => {
+    come = done;
+  });
+  const page = await theatre.visit("", {}, async (blank) => {
+    await blank.route("**/*.wasm", async (route) => {
+      await awaited;
+      await route.continue();
+    });
+  });
+  return { page, come };
+}
+
+test("whoever changes their mind before the module has come gets what they want, and a whole page", async () => {
+  const { page, come } = await unready();
+  const count = page.getByRole("spinbutton", { name: "Points" });
+  for (const wanted of ["50", "60"]) {
+    await count.fill(wanted);
+    await count.press("Tab");
+  }
+  come();
+  await counts(page, "60, segments: 0, holes: 0");
+  await settled(page);
+  await expect.poll(() => page.getByLabel("Preset").locator("option").count()).toBeGreaterThan(25);
+  await page.getByRole("button", { name: "Play", exact: true }).last().click();
+  expect(theatre.complaints).toEqual([]);
+});
+
+test("a file is opened, though what was to be drawn before is given up", async () => {
+  const { page, come } = await unready();
+  const count = page.getByRole("spinbutton", { name: "Points" });
+  await count.fill("50");
+  await count.press("Tab");
+  const file = { name: "three.csv", mimeType: "text/csv", buffer: Buffer.from("0,0\n1,0\n0,1\n") };
+  await page.locator("input[type=file]").setInputFiles(file);
+  // It has most likely been read by then, and is being asked about; if not, nothing is tested, and nothing fails.
+  await page.waitForTimeout(200);
+  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  await page.keyboard.press("Escape");
+  come();
+  await counts(page, "3, segments: 0, holes: 0");
+  expect(theatre.complaints).toEqual([]);
+});
+
 test("a file dropped in the first moments stays; one that is broken leaves the usual drawing", async () => {
   const page = await theatre.visit("", {}, dropping("three.csv", "0,0\n1,0\n0,1\n"));
   await counts(page, "3, segments: 0, holes: 0");

@@ -27,16 +27,19 @@ type Open = Map<Worker, Set<string>>;
 function listen(): void {
   const open: Open = new Map();
   Object.assign(globalThis, { open });
+  // Those may still be asked something, by whoever has waited for the module, and never answer.
+  const dead = new WeakSet<Worker>();
   const { postMessage, terminate } = Worker.prototype;
   Worker.prototype.postMessage = function (this: Worker, message: { id?: string }, ...more: unknown[]) {
     const mine = open.get(this) ?? new Set();
     if (!open.has(this)) this.addEventListener("message", ({ data }) => mine.delete(data.id));
     open.set(this, mine);
-    if (message.id) mine.add(message.id);
+    if (message.id && !dead.has(this)) mine.add(message.id);
     Reflect.apply(postMessage, this, [message, ...more]);
   };
   Worker.prototype.terminate = function (this: Worker) {
     open.delete(this);
+    dead.add(this);
     Reflect.apply(terminate, this, []);
   };
 }
