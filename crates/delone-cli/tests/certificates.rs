@@ -183,6 +183,62 @@ fn lineage_names_the_features() {
     assert_eq!((1.0 - t) + t, 1.0);
 }
 
+/// The rows of free vertices: for each its corners and weights.
+fn free_rows(table: &str) -> Vec<(usize, Vec<(usize, f64)>)> {
+    let mut free: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
+    for line in table.lines().filter(|line| line.contains(",free,")) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let vertex = cells[1].parse().expect("a vertex");
+        let corner = cells[3].parse().expect("a corner");
+        let weight = cells[4].parse().expect("a weight");
+        match free.last_mut().filter(|last| last.0 == vertex) {
+            Some((_, corners)) => corners.push((corner, weight)),
+            None => free.push((vertex, vec![(corner, weight)])),
+        }
+    }
+    free
+}
+
+/// The points of `m.node`.
+fn places(folder: &Folder) -> Vec<[f64; 2]> {
+    let text = folder.read("m.node");
+    let rows = text.lines().skip(1).map(|line| {
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        [1, 2].map(|k| cells[k].parse::<f64>().expect("a coordinate"))
+    });
+    rows.collect()
+}
+
+#[test]
+fn free_vertices_are_mixed_from_the_corners_of_the_input() {
+    let folder = refined();
+    let points = places(&folder);
+    let free = free_rows(&folder.read("m.lineage.csv"));
+    assert!(free.len() > 5, "{}", free.len());
+    for (v, corners) in &free {
+        assert!((2..=3).contains(&corners.len()), "{v}: {corners:?}");
+        // Nine points, the second of two equal ones, and one crossing.
+        let is_corner = |c: usize| c < 8 || c == 9;
+        assert!(corners.iter().all(|&(c, w)| is_corner(c) && w > 0.0));
+        assert_eq!(corners.iter().map(|(_, w)| w).sum::<f64>(), 1.0, "{v}");
+        for k in 0..2 {
+            let sum: f64 = corners.iter().map(|&(c, w)| w * points[c][k]).sum();
+            assert!(
+                (sum - points[*v][k]).abs() < 6.0 * 4.0 * f64::EPSILON,
+                "{v}"
+            );
+        }
+    }
+    // The same from a square whose diagonal some of them are on: two rows, which halve it.
+    folder.write("map.csv", "x,y\n0,0\n1,0\n1,1\n0,1\n");
+    folder.run("mesh map.csv --max-edge 0.5 -o m.ele --certificate", 0);
+    let free = free_rows(&folder.read("m.lineage.csv"));
+    let on_edge = free.iter().filter(|(_, corners)| corners.len() == 2);
+    assert!(on_edge.clone().count() > 0 && on_edge.count() < free.len());
+    let check = "check m.ele --domain map.csv --certificate m.certificate.json";
+    assert!(folder.run(check, 0).stdout.contains(" holds"));
+}
+
 #[test]
 fn certificates_are_the_same_for_any_threads_and_folders() {
     let one = refined();
@@ -366,8 +422,8 @@ fn altered_lineage_is_found_though_its_hash_is_forged() {
         "vertex 9 is said to be",
     );
     expect(
-        "vertex,0,input,0",
-        "vertex,0,free,",
+        "vertex,0,input,0,,",
+        "vertex,0,free,0,1,",
         "vertex 0 is said to be",
     );
     let triangle = row("triangle,0,region,");
@@ -387,6 +443,55 @@ fn altered_lineage_is_found_though_its_hash_is_forged() {
         cells[2], cells[3], cells[4], cells[5], cells[9], cells[8]
     );
     expect(&edge, &swapped, "segment 0");
+    let (v, corners) = free_rows(&table).remove(0);
+    assert_eq!(corners.len(), 3);
+    let line =
+        |(corner, weight): (usize, f64)| format!("vertex,{v},free,{corner},{weight:?},,,,,\n");
+    let rows = |corners: &[(usize, f64)]| -> String { corners.iter().copied().map(line).collect() };
+    let of_free = |words: &str, change: &dyn Fn(&mut Vec<(usize, f64)>)| {
+        let mut other = corners.clone();
+        change(&mut other);
+        expect(
+            &rows(&corners),
+            &rows(&other),
+            &format!("vertex {v} {words}"),
+        );
+    };
+    let step = f64::EPSILON;
+    // A weight alone; two that still sum to 1, near and far; another triangle; a row too few; none that is right.
+    expect(
+        &line(corners[0]),
+        &line((corners[0].0, corners[0].1 + step)),
+        &format!("the weights of vertex {v} are no multiples of 2^-52 that sum to 1"),
+    );
+    of_free("is said to be", &|c| {
+        (c[0].1, c[1].1) = (c[0].1 + step, c[1].1 - step);
+    });
+    of_free("is at (", &|c| {
+        (c[0].1, c[1].1) = (c[0].1 + 64.0 * step, c[1].1 - 64.0 * step);
+    });
+    let others: Vec<usize> = (0..8)
+        .filter(|c| corners.iter().all(|(own, _)| own != c))
+        .collect();
+    of_free("is at (", &|c| {
+        c[0].0 = others[0];
+        c.sort_by_key(|&(corner, _)| corner);
+    });
+    expect(
+        &line(corners[2]),
+        "",
+        &format!("the weights of vertex {v} are no multiples"),
+    );
+    expect(
+        &rows(&corners),
+        &line((v, 1.0)),
+        &format!("corner {v} of vertex {v} is a Steiner point"),
+    );
+    expect(
+        &rows(&corners),
+        &line((0, 1.0)),
+        &format!("vertex {v} is at ("),
+    );
     // Segment 7 lost: the rows behind it must be numbered as before.
     let rows = table
         .lines()

@@ -159,6 +159,7 @@ mod triangle_files;
 mod troubles;
 mod unfinished;
 mod unmet;
+mod unrefined;
 mod voronoi;
 mod vtk;
 mod vtu;
@@ -173,7 +174,7 @@ pub use cells::CellsView;
 pub use certificate::{
     Along, AskedFor, Claim, FileFact, InputFacts, Lineage, Maker, MeshCertificate, MeshFacts,
     OfEdge, OfVertex, Papers, Proof, ProveError, Reached, RegionFacts, Stages, Tests, UnmetFact,
-    digest_file, prove, write_certified,
+    Within, digest_file, prove, write_certified,
 };
 pub use clusters::{ClustersView, write_clusters};
 pub use commit::Commit;

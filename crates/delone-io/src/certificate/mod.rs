@@ -21,7 +21,7 @@ mod write;
 
 pub use digest::digest_file;
 pub(crate) use digest::{Hashing, hex};
-pub use lineage::{Along, Lineage, OfEdge, OfVertex};
+pub use lineage::{Along, Lineage, OfEdge, OfVertex, Within};
 #[cfg(feature = "parquet")]
 pub(crate) use lineage::{COLUMNS, ELEMENTS, ORIGINS, Row};
 pub use prove::{Claim, Proof, ProveError, prove};

@@ -3,6 +3,7 @@
 
 use super::interpolate;
 use super::surface::Surface;
+use crate::unrefined::pieces;
 use crate::{Attribute, Error};
 use delone::{ConstrainedTriangulation, VertexId, Watch};
 
@@ -71,35 +72,6 @@ impl<'a> Steiner<'a> {
     fn surface(&self, watch: &dyn Watch) -> Result<Surface, Error> {
         let segments = 0..self.result.segments().len();
         let chains = segments.map(|segment| self.result.chain(segment));
-        let pieces = chains.flat_map(|chain| pieces(chain, self.first));
-        let ends = pieces.filter_map(|piece| Some([*piece.first()?, *piece.last()?]));
-        Surface::before(self.result, self.first, ends, watch)
-    }
-}
-
-/// Cuts a chain at the vertices below `first`; neighbouring pieces share one.
-fn pieces(chain: &[VertexId], first: usize) -> impl Iterator<Item = &[VertexId]> {
-    let mut rest = chain;
-    std::iter::from_fn(move || {
-        let next = rest.iter().skip(1).position(|v| v.index() < first)? + 1;
-        let piece = &rest[..=next];
-        rest = &rest[next..];
-        Some(piece)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::pieces;
-    use delone::VertexId;
-
-    #[test]
-    fn chains_are_cut_where_the_input_has_a_vertex() {
-        let chain = [0, 9, 8, 3, 1, 7, 2].map(VertexId::new);
-        let cut: Vec<Vec<usize>> = pieces(&chain, 5)
-            .map(|piece| piece.iter().map(|v| v.index()).collect())
-            .collect();
-        assert_eq!(cut, [vec![0, 9, 8, 3], vec![3, 1], vec![1, 7, 2]]);
-        assert_eq!(pieces(&chain[..1], 5).count(), 0, "a segment of no length");
+        Surface::before(self.result, self.first, chains, watch)
     }
 }

@@ -5,11 +5,11 @@
 //! separating edge may run in circles; so where it looks first changes from step to step, and it ends
 //! (Devillers, Pion and Teillaud, *Walking in a triangulation*, 2002: the stochastic walk).
 
-use crate::{Error, cancel};
+use crate::{Error, cancel, unrefined};
 use delone::predicates::{Orientation, orient2d};
 use delone::{
-    ConstrainedDelaunay, ConstrainedTriangulation, HalfEdgeId, Point, Pslg, TriangleId,
-    Triangulation, VertexId, Watch,
+    ConstrainedDelaunay, ConstrainedTriangulation, HalfEdgeId, Point, TriangleId, Triangulation,
+    VertexId, Watch,
 };
 use std::collections::VecDeque;
 
@@ -21,20 +21,17 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    /// Triangulates the first `num_vertices` vertices of `after` with the segments that `ends` lists,
-    /// and finds the others in it. There must be three vertices that are not on one line.
-    pub fn before(
+    /// Triangulates the first `num_vertices` vertices of `after` with the pieces of `chains` between them, and
+    /// finds the others in it. There must be three vertices that are not on one line.
+    pub fn before<'c>(
         after: &ConstrainedTriangulation,
         num_vertices: usize,
-        ends: impl Iterator<Item = [VertexId; 2]>,
+        chains: impl Iterator<Item = &'c [VertexId]>,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let points = &after.triangulation().points()[..num_vertices];
-        let pslg = Pslg {
-            segments: ends.collect(),
-            ..Pslg::from_points(points.iter().copied())
-        };
-        let before = ConstrainedDelaunay::new().watch(watch).triangulate(pslg);
+        let drawing = unrefined::drawing(points, chains);
+        let before = ConstrainedDelaunay::new().watch(watch).triangulate(drawing);
         let before = before.map_err(|error| match error {
             delone::Error::Cancelled => Error::Cancelled,
             other => Error::BadMesh(other.to_string()),

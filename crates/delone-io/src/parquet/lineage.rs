@@ -13,17 +13,18 @@ const NUMBERS: usize = 3;
 
 /// Writes the table.
 pub(crate) fn write_lineage(out: &mut Output<'_>, lineage: &Lineage) -> Result<(), Error> {
-    let mut table = Table::new(lineage.num_rows());
-    table.push_words(COLUMNS[0], &ELEMENTS, |i| lineage.row(i).element);
-    let number = |i| lineage.row(i).number as f64;
+    let rows = &lineage.rows();
+    let mut table = Table::new(rows.len());
+    table.push_words(COLUMNS[0], &ELEMENTS, |i| rows.get(i).element);
+    let number = |i| rows.get(i).number as f64;
     table.push(COLUMNS[1], Physical::INT64, number);
-    table.push_words(COLUMNS[2], &ORIGINS, |i| lineage.row(i).origin);
+    table.push_words(COLUMNS[2], &ORIGINS, |i| rows.get(i).origin);
     for (k, &name) in COLUMNS[NUMBERS..].iter().enumerate() {
         let physical = match name {
             "at" | "to" | "other_at" => Physical::DOUBLE,
             _ => Physical::INT64,
         };
-        let cell = move |i| lineage.row(i).numbers()[k].unwrap_or(f64::NAN);
+        let cell = move |i| rows.get(i).numbers()[k].unwrap_or(f64::NAN);
         table.push_nullable(name, physical, cell);
     }
     write(out, &table)

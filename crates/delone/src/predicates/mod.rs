@@ -40,6 +40,7 @@ mod radius;
 mod reach;
 mod slope;
 pub mod stage;
+mod weights;
 
 pub(crate) use barycentric::Barycentric;
 pub use barycentric::ExactPoint;
@@ -55,6 +56,7 @@ pub use power::{
 };
 pub(crate) use power::{compare_power_meetings, power_place};
 pub use slope::angles_are_at_least;
+pub use weights::corner_weights;
 
 /// Where a point lies relative to a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! The rows of the table, as its columns have them, whatever the file is.
 
-use super::{Along, Lineage, OfEdge, OfVertex};
+use super::{Along, Lineage, OfEdge, OfVertex, Within};
 use delone::VertexId;
 
 /// The names of the columns.
@@ -68,17 +68,45 @@ impl Row<'_> {
     }
 }
 
+/// The rows of a table, by their places in it.
+pub(crate) struct Rows<'a> {
+    lineage: &'a Lineage,
+    /// Of each row of a vertex the vertex, and how many rows it has before.
+    of_vertices: Vec<(u32, u8)>,
+}
+
+impl Rows<'_> {
+    /// Counts the rows.
+    pub fn len(&self) -> usize {
+        let triangles = self.lineage.regions.as_ref().map_or(0, Vec::len);
+        self.of_vertices.len() + self.lineage.edges.len() + triangles
+    }
+
+    /// Returns a row.
+    pub fn get(&self, i: usize) -> Row<'static> {
+        let (vertices, edges) = (self.of_vertices.len(), self.lineage.edges.len());
+        if let Some(&(number, before)) = self.of_vertices.get(i) {
+            return self.lineage.row_of_vertex(number as usize, before);
+        }
+        match i - vertices {
+            edge if edge < edges => self.lineage.row_of_edge(edge),
+            triangle => self.lineage.row_of_triangle(triangle - edges),
+        }
+    }
+}
+
 impl Lineage {
-    /// Returns a row of the table.
-    pub(crate) fn row(&self, i: usize) -> Row<'static> {
-        let (vertices, edges) = (self.vertices.len(), self.edges.len());
-        if i < vertices {
-            return self.row_of_vertex(i);
+    /// Returns the rows of the table. *Cost*: 8 bytes for each that is of a vertex.
+    pub(crate) fn rows(&self) -> Rows<'_> {
+        let vertices = (0_u32..).zip(&self.vertices);
+        let rows = vertices.flat_map(|(v, of)| (0..of.num_rows() as u8).map(move |k| (v, k)));
+        Rows {
+            lineage: self,
+            of_vertices: rows.collect(),
         }
-        if i < vertices + edges {
-            return self.row_of_edge(i - vertices);
-        }
-        let number = i - vertices - edges;
+    }
+
+    fn row_of_triangle(&self, number: usize) -> Row<'static> {
         let region = self.regions.as_ref().and_then(|regions| regions[number]);
         Row {
             element: "triangle",
@@ -89,7 +117,7 @@ impl Lineage {
         }
     }
 
-    fn row_of_vertex(&self, number: usize) -> Row<'static> {
+    fn row_of_vertex(&self, number: usize, before: u8) -> Row<'static> {
         let (element, empty) = ("vertex", Row::default());
         let row = match self.vertices[number] {
             OfVertex::Input => Row {
@@ -102,10 +130,15 @@ impl Lineage {
                 feature: Some(kept.index()),
                 ..empty
             },
-            OfVertex::Free => Row {
-                origin: "free",
-                ..empty
-            },
+            OfVertex::Free(within) => {
+                let corner = within.corners().nth(before.into());
+                Row {
+                    origin: "free",
+                    feature: corner.map(|(corner, _)| corner.index()),
+                    at: corner.map(|(_, weight)| weight),
+                    ..empty
+                }
+            }
             OfVertex::OnSegment(Along { segment, at }) => {
                 let (origin, feature) = self.feature(segment);
                 Row {
@@ -168,6 +201,13 @@ impl Lineage {
             )),
         };
         match element {
+            "vertex" if row.origin == "free" && number + 1 == self.vertices.len() => {
+                let (corner, weight) = corner(row)?;
+                match self.vertices.last_mut() {
+                    Some(OfVertex::Free(within)) => within.push(corner, weight)?,
+                    _ => expect(number + 1)?,
+                }
+            }
             "vertex" => {
                 expect(self.vertices.len())?;
                 let vertex = self.vertex(row)?;
@@ -207,7 +247,10 @@ impl Lineage {
             "input" if whole("feature", row.feature)? == row.number => OfVertex::Input,
             "input" => return Err("another point of the input than the vertex".to_owned()),
             "duplicate" => OfVertex::Duplicate(VertexId::new(whole("feature", row.feature)?)),
-            "free" => OfVertex::Free,
+            "free" => {
+                let (corner, weight) = corner(row)?;
+                OfVertex::Free(Within::first(corner, weight))
+            }
             "crossing" => OfVertex::Crossing([
                 self.along("segment", row.feature, row.at)?,
                 self.along("segment", row.other, row.other_at)?,
@@ -236,6 +279,12 @@ impl Lineage {
             at: fraction("at", at)?,
         })
     }
+}
+
+/// Reads a corner and its weight.
+fn corner(row: &Row<'_>) -> Result<(VertexId, f64), String> {
+    let corner = VertexId::new(whole("feature", row.feature)?);
+    Ok((corner, fraction("at", row.at)?))
 }
 
 fn whole(column: &str, cell: Option<usize>) -> Result<usize, String> {

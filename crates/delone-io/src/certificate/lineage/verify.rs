@@ -1,8 +1,10 @@
 //! Is a table of lineage that of a mesh? From the input, points and constrained edges.
 //!
 //! The chains that the rows of edges make are what the verifier is given as claims; it proves that they are there
-//! and how near to their segments they lie. What is tested here is that rows, chains and places agree.
+//! and how near to their segments they lie. What is tested here is that rows, chains and places agree, and that free
+//! vertices have the weights of the triangles of the input's triangulation, which is made anew from the chains.
 
+use super::within::places;
 use super::{Along, Lineage, OfVertex};
 use crate::{Error, cancel};
 use delone::predicates::fraction_along;
@@ -69,6 +71,7 @@ impl Lineage {
         let mut on_chains = self.check_chains(input, points, &mut words, watch)?;
         on_chains.sort_unstable();
         self.check_added(input, points, &on_chains, &mut words, watch)?;
+        self.check_free(input, points, &mut words, watch)?;
         self.check_edges(edges, &mut words, watch)?;
         if self.regions.as_deref() != regions {
             words.push(|| "triangles are not in the regions that were proven".to_owned());
@@ -209,7 +212,7 @@ impl Lineage {
             };
             let row = self.vertices[v];
             let is_right = match row {
-                OfVertex::Free => on.is_empty(),
+                OfVertex::Free(_) => on.is_empty(),
                 OfVertex::OnSegment(place) => {
                     is_at(place) && on.iter().all(|&(_, segment)| segment >= place.segment)
                 }
@@ -220,6 +223,53 @@ impl Lineage {
                 let on: Vec<usize> = on.iter().map(|on| on.1).collect();
                 words
                     .push(|| format!("vertex {v} is said to be {row:?}, it is on segments {on:?}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Requires free vertices to have the corners and weights of the triangle in which they lie, of the input's
+    /// triangulation.
+    fn check_free(
+        &self,
+        input: &Pslg,
+        points: &[Point],
+        words: &mut Words,
+        watch: &dyn Watch,
+    ) -> Result<(), Error> {
+        let n = input.points.len();
+        let is_steiner = |of: &OfVertex| !matches!(of, OfVertex::Crossing(_));
+        let added = &self.vertices[n..];
+        let num_corners = n + added.iter().take_while(|of| !is_steiner(of)).count();
+        let behind = &self.vertices[num_corners..];
+        if let Some(i) = behind.iter().position(|of| !is_steiner(of)) {
+            let v = num_corners + i;
+            words.push(|| format!("the crossing at vertex {v} comes behind Steiner points"));
+        }
+        let behind = (num_corners..).map(VertexId::new).zip(behind);
+        let given = behind.filter_map(|(v, of)| match of {
+            OfVertex::Free(within) => Some((v, within)),
+            _ => None,
+        });
+        let (free, given): (Vec<_>, Vec<_>) = given.unzip();
+        let chains = self.chains(input);
+        let chains = chains.iter().map(Vec::as_slice);
+        let places = match places(points, num_corners, chains, &free, watch) {
+            Ok(places) => places,
+            Err(delone::Error::Cancelled) => return Err(Error::Cancelled),
+            Err(error) => {
+                words.push(|| format!("the chains of segments are not planar: {error}"));
+                return Ok(());
+            }
+        };
+        for ((v, given), place) in free.into_iter().zip(given).zip(places) {
+            cancel::check(watch, v.index())?;
+            let problem = match place {
+                Some(place) => place.problem(given, v, points, num_corners),
+                None => Some(format!("vertex {v} lies in no triangle of the input")),
+            };
+            if let Some(problem) = problem {
+                words.push(|| problem);
             }
         }
         Ok(())

@@ -15,9 +15,10 @@ impl Lineage {
     ) -> Result<(), Error> {
         out.bytes(COLUMNS.join(",").as_bytes())?;
         out.end_line()?;
-        for i in 0..self.num_rows() {
+        let rows = self.rows();
+        for i in 0..rows.len() {
             cancel::check(watch, i)?;
-            write_row(out, &self.row(i))?;
+            write_row(out, &rows.get(i))?;
         }
         Ok(())
     }
