@@ -50,6 +50,11 @@ pub trait Many: Clone + Send + 'static {
     /// Tells whether results are to be JSON.
     fn asks_json(&self) -> bool;
 
+    /// Lists further files that the work on each reads.
+    fn also_reads(&self) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
     /// Returns the command for one of the files, whose outputs are named by `naming`.
     ///
     /// *Errors*: the names of outputs will not do for several files.
@@ -69,8 +74,8 @@ pub trait Many: Clone + Send + 'static {
 pub struct Unit {
     /// The input, as people know it.
     pub file: String,
-    /// The place of the input; none of a sample.
-    input: Option<PathBuf>,
+    /// The places of all that is read.
+    inputs: Vec<PathBuf>,
     outputs: Outputs,
     /// Works on so many threads, and prints results.
     work: Box<dyn FnOnce(usize) -> Result<(), Failure> + Send>,
@@ -84,7 +89,7 @@ impl Unit {
     ) -> Self {
         Self {
             file: file.display().to_string(),
-            input: place(file),
+            inputs: place(file).into_iter().collect(),
             outputs: Outputs::default(),
             work: Box::new(|_| work()),
         }
@@ -158,9 +163,11 @@ pub fn unit<C: Many>(mut command: C, input: Option<&Path>) -> Result<Unit, Failu
                      for the name of each";
         return Err(Failure::Usage(clash.to_owned()));
     }
+    let more = command.also_reads();
+    let all = input.into_iter().chain(more.iter().map(PathBuf::as_path));
     Ok(Unit {
+        inputs: all.filter_map(place).collect(),
         file,
-        input: input.and_then(place),
         outputs,
         work: Box::new(move |threads| {
             command.in_a_batch(threads);
@@ -171,7 +178,11 @@ pub fn unit<C: Many>(mut command: C, input: Option<&Path>) -> Result<Unit, Failu
 
 /// Requires that no file is written twice, and that none is written that is read.
 pub fn require_apart(units: &[Unit]) -> Result<(), Failure> {
-    let inputs: BTreeSet<&Path> = units.iter().filter_map(|u| u.input.as_deref()).collect();
+    let inputs: BTreeSet<&Path> = units
+        .iter()
+        .flat_map(|u| &u.inputs)
+        .map(PathBuf::as_path)
+        .collect();
     let mut writers: BTreeMap<&Path, usize> = BTreeMap::new();
     for (i, unit) in units.iter().enumerate() {
         for (_, name, place) in unit.outputs.places() {

@@ -35,10 +35,16 @@ A file of jobs:
   max-edge = 0.05
 
   [[job]]
-  command = \"triangulate\"       # or mesh, which it is if nothing is said, or convert
+  command = \"triangulate\"       # or mesh, which it is if nothing is said, convert or cover
   input = [\"maps/*.geojson\", \"coast.poly\"]
   crossings = \"split\"
   picture = \"{}.png\"            # {} stands for the name of each input
+
+  [[job]]                       # delone cover … --data-per-triangle=6 … -- surveys/*.csv
+  command = \"cover\"
+  input = \"surveys/*.csv\"
+  data-per-triangle = 6
+  data-out = \"{}-held.csv\"
 
 Keys are the long options of the command; true is a flag that is given, a list an option that is given
 several times. Of convert, output is the second argument. Paths begin at the folder of the file. Jobs may not
@@ -50,8 +56,8 @@ The JSON objects of --json are those of the commands, and begin with file and ou
 /// Do the jobs that a file describes: meshes that are made again and again
 ///
 /// The file is TOML: [defaults] and any number of [[job]], with the long options of `delone mesh`, `delone
-/// triangulate` and `delone convert` as keys. A job that fails stops no other; at the end a table says what has
-/// become of all.
+/// triangulate`, `delone convert` and `delone cover` as keys. A job that fails stops no other; at the end a table says
+/// what has become of all.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{JSON}\n\n{}", crate::exit::HELP))]
 pub struct RunFile {
@@ -129,6 +135,7 @@ impl RunFile {
             Command::Mesh(command) => units(command),
             Command::Triangulate(command) => units(command),
             Command::Convert(command) => units(command),
+            Command::Cover(command) => units(command),
             _ => unreachable!("bug: a job of another command"),
         }
     }

@@ -93,6 +93,10 @@ impl Many for Cover {
         std::iter::once(first).chain(self.more.clone()).collect()
     }
 
+    fn also_reads(&self) -> Vec<PathBuf> {
+        self.domain.clone().into_iter().collect()
+    }
+
     fn asks_json(&self) -> bool {
         self.task.json
     }

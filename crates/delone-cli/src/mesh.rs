@@ -106,6 +106,10 @@ impl Many for Mesh {
         self.job.inputs()
     }
 
+    fn also_reads(&self) -> Vec<PathBuf> {
+        self.goals.sizing.files()
+    }
+
     fn asks_json(&self) -> bool {
         self.job.json
     }

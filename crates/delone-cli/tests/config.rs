@@ -126,6 +126,43 @@ fn what_is_wrong_is_told_with_its_line_before_anything_is_done() {
 }
 
 #[test]
+fn covers_are_jobs_too() {
+    let folder = Folder::new();
+    for (name, n) in [("a", 60), ("b", 80)] {
+        folder.run(&format!("sample gauss -n {n} -o {name}.csv"), 0);
+    }
+    let jobs = "[defaults]\nmin-angle = 30\n\n[[job]]\ncommand = \"cover\"\ninput = \"?.csv\"\ndegree = 1\n\
+                output = \"{}.vtu\"\ndata-out = \"{}-held.csv\"\n";
+    folder.write("job.toml", jobs);
+    let said = folder.run("run job.toml --json", 0).stdout;
+    assert_eq!(said.lines().count(), 2, "{said}");
+    let first = said.lines().next().expect("a line");
+    let first: serde_json::Value = serde_json::from_str(first).expect("an object");
+    assert_eq!(
+        (&first["file"], &first["least"]),
+        (&"a.csv".into(), &3.into())
+    );
+    folder.run(
+        "cover a.csv --degree 1 -o alone.vtu --data-out alone.csv",
+        0,
+    );
+    assert_eq!(folder.bytes("a.vtu"), folder.bytes("alone.vtu"));
+    assert_eq!(folder.bytes("a-held.csv"), folder.bytes("alone.csv"));
+    // What a job needs and has not is told with its place.
+    folder.write("job.toml", "[[job]]\ncommand = \"cover\"\ndegree = 1\n");
+    folder
+        .run("run job.toml", 2)
+        .says(&["job.toml:1: ", "<POINTS>"]);
+    // Nobody writes the polygon that another covers.
+    let jobs = "[[job]]\ncommand = \"cover\"\ninput = \"a.csv\"\ndomain = \"d.geojson\"\noutput = \"c.vtu\"\n\n\
+                [[job]]\ncommand = \"convert\"\ninput = \"d.poly\"\noutput = \"d.geojson\"\n";
+    folder.write("job.toml", jobs);
+    folder
+        .run("run job.toml", 2)
+        .says(&["d.geojson would be written for d.poly, but it is an input"]);
+}
+
+#[test]
 fn a_file_of_jobs_may_come_through_a_pipe() {
     let folder = Folder::with_points();
     let mut command = folder.command("run -");
@@ -142,7 +179,7 @@ fn the_example_of_the_help_is_a_file_of_jobs() {
     let (example, _) = example.split_once("\nKeys are").expect("its end");
     folder.write("job.toml", example);
     let printed = folder.run("run job.toml --dry-run", 0).stdout;
-    assert_eq!(printed.lines().count(), 2, "{printed}");
+    assert_eq!(printed.lines().count(), 3, "{printed}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::ffi::OsString;
 use toml::de::DeValue;
 
 /// Commands that jobs may have; the first is meant if none is named.
-const COMMANDS: [&str; 3] = ["mesh", "triangulate", "convert"];
+const COMMANDS: [&str; 4] = ["mesh", "triangulate", "convert", "cover"];
 
 /// Keys that are no options.
 const OWN: [&str; 2] = ["command", "input"];
@@ -25,7 +25,7 @@ pub fn of(document: &Document<'_>, job: &Section<'_>) -> Result<Vec<OsString>, F
     }
     let of_any: Vec<String> = COMMANDS.into_iter().flat_map(options).collect();
     for (key, line) in document.defaults.keys() {
-        require_known(document, &of_any, "mesh, triangulate or convert", key, line)?;
+        require_known(document, &of_any, &listed(" or "), key, line)?;
     }
     // What a job says counts, not what holds for all.
     let defaults = document.defaults.settings();
@@ -70,9 +70,15 @@ fn command(document: &Document<'_>, job: &Section<'_>) -> Result<&'static str, F
         _ => None,
     };
     named.ok_or_else(|| {
-        let problem = "command must be one of \"mesh\", \"triangulate\" and \"convert\"";
-        document.malformed(setting.line, problem)
+        let problem = format!("command must be one of {}", listed(" and "));
+        document.malformed(setting.line, &problem)
     })
+}
+
+/// Lists the commands that jobs may have, the last behind `and`.
+fn listed(and: &str) -> String {
+    let [first @ .., last] = COMMANDS;
+    [&first.join(", "), and, last].concat()
 }
 
 /// Lists the keys that jobs of a command may have.
@@ -184,6 +190,12 @@ mod tests {
             keep-boundary = true
             min-angle = 0x14
             output = ["a.vtu", "a.ele"]
+            [[job]]
+            command = "cover"
+            input = ["s.csv", "t.csv"]
+            data-per-triangle = 10
+            no-edges = true
+            output = "{}.vtu"
         "#;
         assert_eq!(
             lines(text),
@@ -191,6 +203,7 @@ mod tests {
                 "delone mesh --conforming --min-angle=30 --to=vtu --max-edge=5e-2 -- a.poly",
                 "delone convert --to=vtu -- -b.poly c.poly {}.vtu",
                 "delone mesh --to=vtu --keep-boundary --min-angle=20 --output=a.vtu --output=a.ele -- a.poly",
+                "delone cover --to=vtu --data-per-triangle=10 --no-edges --output={}.vtu -- s.csv t.csv",
             ]
         );
     }
@@ -208,12 +221,16 @@ mod tests {
             ),
             (
                 "[defaults]\nxyz = 1\n[[job]]\n",
-                "f.toml:2: no option xyz of mesh, triangulate or convert",
+                "f.toml:2: no option xyz of mesh, triangulate, convert or cover",
+            ),
+            (
+                "[[job]]\ncommand = \"cover\"\nmin-angle = 20\n",
+                "f.toml:3: no option min-angle of cover",
             ),
             ("[[job]]\njson = true\n", "f.toml:2: no option json of mesh"),
             (
                 "[[job]]\ncommand = \"check\"\n",
-                "f.toml:2: command must be one of",
+                "f.toml:2: command must be one of mesh, triangulate, convert and cover",
             ),
             (
                 "[[job]]\ninput = true\n",
