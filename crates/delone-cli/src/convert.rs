@@ -122,10 +122,7 @@ impl Many for Convert {
     fn run_alone(&self, quiet: bool) -> Result<(), Failure> {
         // A name that will not do is refused before anything is read.
         let outputs = self.outputs(Content::Any)?;
-        if outputs.use_stdout() && self.json {
-            let clash = "--json and the output `-` both want standard output; name a file for one";
-            return Err(Failure::Usage(clash.to_owned()));
-        }
+        outputs.leave_stdout_to(self.json)?;
         let input = self.reading.open(self.input())?;
         let progress = Progress::new(quiet);
         let takes = |can: fn(Format) -> bool| {

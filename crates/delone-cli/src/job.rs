@@ -152,10 +152,7 @@ impl Job {
         let pages = pages.map(|page| (page.clone(), Content::Report));
         let mut asked = self.writing.outputs(meshes.chain(pictures).chain(pages))?;
         self.certify.settle(&mut asked)?;
-        if asked.use_stdout() && self.json {
-            let clash = "--json and the output `-` both want standard output; name a file for one";
-            return Err(Failure::Usage(clash.to_owned()));
-        }
+        asked.leave_stdout_to(self.json)?;
         if asked.is_empty() && self.demonstrates() {
             return self.demonstration(mesh, reports.is_some());
         }

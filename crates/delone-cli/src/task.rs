@@ -106,10 +106,7 @@ impl Task {
         let outputs = self.output.iter().map(|o| (o.clone(), content(o)));
         let pictures = self.picture.iter().map(|p| (p.clone(), picture));
         let outputs = self.writing.outputs(outputs.chain(pictures).chain(more))?;
-        if outputs.use_stdout() && self.json {
-            let clash = "--json and the output `-` both want standard output; name a file for one";
-            return Err(Failure::Usage(clash.to_owned()));
-        }
+        outputs.leave_stdout_to(self.json)?;
         Ok(outputs)
     }
 

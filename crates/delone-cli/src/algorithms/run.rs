@@ -117,10 +117,7 @@ impl Run {
         let pictures = self.picture.iter().map(|p| (p.clone(), Content::Picture));
         let mut outputs = self.writing.outputs(meshes.chain(pictures))?;
         self.watched.settle(self.writing.size(), &mut outputs)?;
-        if outputs.use_stdout() && self.json {
-            let clash = "--json and the output `-` both want standard output; name a file for one";
-            return Err(Failure::Usage(clash.to_owned()));
-        }
+        outputs.leave_stdout_to(self.json)?;
         Ok(outputs)
     }
 

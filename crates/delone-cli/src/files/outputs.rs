@@ -35,6 +35,15 @@ impl Outputs {
         self.stream.is_some()
     }
 
+    /// Requires that results told as JSON, if they are, have standard output to themselves.
+    pub fn leave_stdout_to(&self, json: bool) -> Result<(), Failure> {
+        if !json || !self.use_stdout() {
+            return Ok(());
+        }
+        let clash = "--json and the output `-` both want standard output; name a file for one";
+        Err(Failure::Usage(clash.to_owned()))
+    }
+
     /// Tells whether there is nothing to write.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty() && self.asides.is_empty() && self.stream.is_none()
