@@ -5,7 +5,7 @@
 //! and memos are left out, and named.
 
 use crate::features::Columns;
-use crate::{Attribute, Error, LeftOut, Place, Problem, cancel, points, scan};
+use crate::{Attribute, Error, LeftOut, Place, Problem, cancel, scan};
 use delone::Watch;
 
 /// Bytes of the header before the fields, and of a field.
@@ -90,7 +90,8 @@ pub(super) fn read(file: &str, bytes: &[u8], watch: &dyn Watch) -> Result<Table,
     })
 }
 
-/// Reads what the header says about the fields; each row has a byte before them.
+/// Reads what the header says about the fields; each row has a byte before them. A header of 16 bits has no room for more
+/// fields than there may be columns.
 fn fields_of(bytes: &[u8], width: usize) -> Result<Vec<Field>, Problem> {
     let mut fields = Vec::new();
     let mut start = 1;
@@ -98,7 +99,6 @@ fn fields_of(bytes: &[u8], width: usize) -> Result<Vec<Field>, Problem> {
         if field[0] == b'\r' {
             break;
         }
-        points::check_columns(fields.len() as u64 + 1)?;
         let name = &field[..11];
         let end = memchr::memchr(0, name).unwrap_or(name.len());
         let kind = field[11].to_ascii_uppercase();
