@@ -136,14 +136,21 @@ pub(crate) fn with_workers<R: Send>(
 const MOST_THREADS: usize = 1024;
 
 /// Runs `work` in a pool of so many threads.
+///
+/// Outside of all pools the surrounding one is that of the machine. To ask how large it is starts it, with a thread for
+/// each core: too much for whoever wants but one.
 #[cfg(feature = "rayon")]
 fn with_pool<R: Send>(
     threads: usize,
     work: impl FnOnce(Workers) -> R + Send,
 ) -> Result<R, crate::Error> {
+    let is_inside = rayon::current_thread_index().is_some();
+    let is_worth_asking = threads > 1 || is_inside;
     match threads {
         // The surrounding pool is the pool asked for: no need to start another.
-        threads if threads == rayon::current_num_threads() => Ok(work(Workers { threads })),
+        threads if is_worth_asking && threads == rayon::current_num_threads() => {
+            Ok(work(Workers { threads }))
+        }
         threads => {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
