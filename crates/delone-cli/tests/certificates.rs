@@ -183,9 +183,12 @@ fn lineage_names_the_features() {
     assert_eq!((1.0 - t) + t, 1.0);
 }
 
-/// The rows of free vertices: for each its corners and weights.
-fn free_rows(table: &str) -> Vec<(usize, Vec<(usize, f64)>)> {
-    let mut free: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
+/// The corners of the triangle in which a free vertex lies, and their weights.
+type Corners = Vec<(usize, f64)>;
+
+/// The rows of free vertices, each with its corners.
+fn free_rows(table: &str) -> Vec<(usize, Corners)> {
+    let mut free: Vec<(usize, Corners)> = Vec::new();
     for line in table.lines().filter(|line| line.contains(",free,")) {
         let cells: Vec<&str> = line.split(',').collect();
         let vertex = cells[1].parse().expect("a vertex");
@@ -221,7 +224,7 @@ fn free_vertices_are_mixed_from_the_corners_of_the_input() {
         let is_corner = |c: usize| c < 8 || c == 9;
         assert!(corners.iter().all(|&(c, w)| is_corner(c) && w > 0.0));
         assert_eq!(corners.iter().map(|(_, w)| w).sum::<f64>(), 1.0, "{v}");
-        for k in 0..2 {
+        for k in [0, 1] {
             let sum: f64 = corners.iter().map(|&(c, w)| w * points[c][k]).sum();
             assert!(
                 (sum - points[*v][k]).abs() < 6.0 * 4.0 * f64::EPSILON,
@@ -448,7 +451,7 @@ fn altered_lineage_is_found_though_its_hash_is_forged() {
     let line =
         |(corner, weight): (usize, f64)| format!("vertex,{v},free,{corner},{weight:?},,,,,\n");
     let rows = |corners: &[(usize, f64)]| -> String { corners.iter().copied().map(line).collect() };
-    let of_free = |words: &str, change: &dyn Fn(&mut Vec<(usize, f64)>)| {
+    let of_free = |words: &str, change: &dyn Fn(&mut Corners)| {
         let mut other = corners.clone();
         change(&mut other);
         expect(
