@@ -18,8 +18,9 @@ from clock import begin, under_the_clock
 
 PACKAGES = ["meshio", "laspy"]
 
-# What meshio calls the formats whose endings do not say it.
-NAMES = {".msh": "gmsh", ".msh2": "gmsh22", ".mesh": "medit"}
+# What meshio calls the formats whose endings do not say it. It reads all of Gmsh's by one name.
+READ = {".msh": "gmsh", ".msh2": "gmsh", ".mesh": "medit"}
+WRITTEN = READ | {".msh2": "gmsh22"}
 
 
 def write(file):
@@ -30,14 +31,14 @@ def write(file):
     # Nearly all of its formats want space.
     points = numpy.column_stack([points, numpy.zeros(len(points))])
     mesh = meshio.Mesh(points, [("triangle", triangles)])
-    _, cost = under_the_clock(lambda: mesh.write(file, file_format=NAMES.get(file.suffix)))
+    _, cost = under_the_clock(lambda: mesh.write(file, file_format=WRITTEN.get(file.suffix)))
     return cost, len(points), len(triangles)
 
 
 def read(file):
     import meshio
 
-    mesh, cost = under_the_clock(lambda: meshio.read(file, file_format=NAMES.get(file.suffix)))
+    mesh, cost = under_the_clock(lambda: meshio.read(file, file_format=READ.get(file.suffix)))
     return cost, len(mesh.points), sum(len(cells.data) for cells in mesh.cells if cells.type == "triangle")
 
 

@@ -23,7 +23,7 @@ pub struct Options {
     #[arg(
         long,
         value_delimiter = ',',
-        default_value = "npy,parquet,ele,vtu,vtk,msh,msh2,mesh,obj,off,ply,geojson"
+        default_value = "npy,parquet,ele,vtu,vtk,msh,msh2,mesh,obj,off,ply"
     )]
     formats: Vec<String>,
     /// Number of points of the mesh

@@ -24,7 +24,7 @@ impl Engine {
     pub fn knows_mesh(self, ending: &str) -> bool {
         match self {
             Self::Delone => true,
-            Self::Meshio => !["npy", "parquet", "geojson", "ele", "dxf"].contains(&ending),
+            Self::Meshio => !["npy", "parquet", "ele"].contains(&ending),
             Self::Laspy => false,
         }
     }
