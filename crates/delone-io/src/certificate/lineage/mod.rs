@@ -283,6 +283,11 @@ mod tests {
             ("duplicate,0", "duplicate,-1", "feature is \"-1\""),
             ("5,free,0,0.25,,,,,", "5,free,0,0.25,,,,", "too few cells"),
             (
+                "vertex,5,free,0,",
+                "vertex,18446744073709551615,free,0,",
+                "vertex 18446744073709551615 instead of 5",
+            ),
+            (
                 "5,free,0,0.25,",
                 "5,free,,,",
                 "feature is missing, it must be",

@@ -201,7 +201,9 @@ impl Lineage {
             )),
         };
         match element {
-            "vertex" if row.origin == "free" && number + 1 == self.vertices.len() => {
+            "vertex"
+                if row.origin == "free" && self.vertices.len().checked_sub(1) == Some(number) =>
+            {
                 let (corner, weight) = corner(row)?;
                 match self.vertices.last_mut() {
                     Some(OfVertex::Free(within)) => within.push(corner, weight)?,
